@@ -1,0 +1,23 @@
+# Options of our own targets; nothing here reaches a user of the installed library.
+add_library(towform_options INTERFACE)
+target_compile_options(towform_options INTERFACE
+  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  $<$<BOOL:${TOWFORM_WARNINGS_AS_ERRORS}>:-Werror>
+  # The same bits from every compiler and for every number of threads.
+  -ffp-contract=off
+  $<$<CONFIG:Debug>:-D_GLIBCXX_ASSERTIONS>)
+if(TOWFORM_SANITIZE)
+  # libgomp is not instrumented: the thread sanitizer is only meaningful on code that uses std::thread.
+  add_compile_options(-fsanitize=${TOWFORM_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${TOWFORM_SANITIZE})
+endif()
+
+# What a result needs to say where it came from.
+execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} describe --always --dirty --abbrev=12
+  OUTPUT_VARIABLE TOWFORM_GIT_HASH OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT TOWFORM_GIT_HASH)
+  set(TOWFORM_GIT_HASH "unknown")
+endif()
+set(TOWFORM_FLAGS "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS}")
+configure_file(cmake/version.hpp.in ${PROJECT_BINARY_DIR}/generated/version.hpp)
+target_include_directories(towform_options INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>)

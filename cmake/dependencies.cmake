@@ -1,0 +1,10 @@
+# Everything comes from Debian 12 packages (scripts/packages lists them).
+find_package(Eigen3 3.4 REQUIRED)
+find_package(fcl 0.7 REQUIRED)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(tomlplusplus REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)

@@ -1,0 +1,12 @@
+include(CMakePackageConfigHelpers)
+install(TARGETS towform towform_options EXPORT towformTargets)
+install(TARGETS towform_program)
+install(DIRECTORY include/towform DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY meshes cases DESTINATION ${CMAKE_INSTALL_DATADIR}/towform)
+install(EXPORT towformTargets NAMESPACE towform:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform)
+configure_package_config_file(cmake/towformConfig.cmake.in ${PROJECT_BINARY_DIR}/towformConfig.cmake
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/towformConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/towformConfig.cmake ${PROJECT_BINARY_DIR}/towformConfigVersion.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform)

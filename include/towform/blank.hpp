@@ -1,0 +1,42 @@
+#pragma once
+#include "towform/surface_mesh.hpp"
+#include "towform/vec3.hpp"
+#include <optional>
+#include <vector>
+
+namespace towform {
+
+/// How squares of the blank's grid become triangles; `unstructured` has no grid.
+enum class Pattern { cross, diagonal, unstructured };
+
+/// Which part of the blank is modelled: `x` keeps x >= 0 (the plane x = 0 is a mirror), `y` keeps y >= 0,
+/// `quarter` both.
+enum class Symmetry { none, x, y, quarter };
+
+/// The rectangular blank of a case, flat in the plane z = 0, centred on the origin.
+struct BlankParameters {
+  Vec2 size;                   ///< whole blank, along x and y [m]
+  std::optional<int> elements; ///< wanted number of triangles of the whole blank, or
+  std::optional<double> edge;  ///< wanted edge of the grid's squares [m]
+  double fibre_angle = 0.0;    ///< warp against x [rad]
+  double mesh_angle = 0.0;     ///< grid lines against the warp [rad]
+  Pattern pattern = Pattern::diagonal;
+  double thickness = 0.0; ///< [m]
+  Symmetry symmetry = Symmetry::none;
+};
+
+/// The meshed blank. Node numbers follow the plane (neighbours are close in memory).
+struct Blank {
+  SurfaceMesh mesh;                    ///< flat, counter-clockwise seen from +z
+  Vec3 warp, weft;                     ///< unit reference yarn directions f01, f02
+  double thickness = 0.0;              ///< [m]
+  std::vector<int> mirror_x, mirror_y; ///< nodes on the symmetry planes x = 0 and y = 0, ascending
+};
+
+/// Meshes the rectangle. A grid that lies along the rectangle's sides is cut to fit exactly, with lines on
+/// both centre lines so that the mesh is its own mirror image; any other grid angle keeps the grid inside and
+/// joins it to evenly divided sides by a Delaunay triangulation. Throws std::invalid_argument with a message
+/// for the user when the parameters contradict each other or ask for more than 20 million elements.
+Blank make_blank(const BlankParameters& parameters);
+
+} // namespace towform

@@ -1,0 +1,83 @@
+#pragma once
+#include "towform/blank.hpp"
+#include "towform/error.hpp"
+#include "towform/material.hpp"
+#include "towform/motion.hpp"
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace towform {
+
+/// A rigid tool: driven by a motion, pushed by a force, or fixed when it has neither.
+struct ToolParameters {
+  std::string name;
+  std::filesystem::path mesh; ///< found file
+  double mesh_unit = 1.0;     ///< length of the file's unit [m]
+  Vec3 position;              ///< added to the mesh at the start [m]
+  double friction = 0.0;      ///< Coulomb coefficient against the sheet
+  std::optional<Motion> motion;
+  std::optional<double> force; ///< along `axis` [N]; the tool then moves as a rigid body along it
+  Axis axis = Axis::z;         ///< of the force
+  double mass = 0.0;           ///< of a force-driven tool [kg]
+};
+
+struct TimeParameters {
+  double end = 0.0;           ///< [s]
+  double safety = 0.9;        ///< step over the stable step
+  double mass_scaling = 1.0;  ///< uniform factor on the sheet's mass
+  std::optional<double> step; ///< wanted step [s]: only elements that need it are made heavier
+  double mass_damping = 0.0;  ///< force -a m v on every node [1/s]
+};
+
+struct ContactParameters {
+  double penalty = 0.1; ///< beta of the penalty stiffness beta m / dt^2
+  double damping = 0.0; ///< fraction of critical, normal to the tool
+  double stick = 1.0;   ///< tangential stick stiffness over the penalty stiffness
+};
+
+/// Limits that stop a run when passed.
+struct GateParameters {
+  double energy_error = 0.0;        ///< over external work [-]
+  double kinetic_to_internal = 0.0; ///< over the second half of the run [-]
+  double penetration = 0.0;         ///< of the sheet's surface into a tool [m]
+  double yarn_strain = 0.0;         ///< 99th percentile of |strain| over the elements [-]
+};
+
+struct OutputParameters {
+  int frames = 30;   ///< after the initial one
+  int history = 200; ///< rows of history.csv after the initial one
+};
+
+/// A case as read: every value resolved, in SI units, within its range.
+struct Case {
+  std::string title;
+  std::filesystem::path path; ///< the case file
+  std::string text;           ///< its text, as read
+  BlankParameters blank;
+  MaterialParameters material;
+  std::vector<ToolParameters> tools;
+  TimeParameters time;
+  ContactParameters contact;
+  GateParameters gates;
+  OutputParameters output;
+  std::map<std::string, SourceLocation> locations; ///< of every key given, as "blank.size", "tool[1].mesh"
+
+  /// Where a key was given; where its table or the file is when it was not.
+  [[nodiscard]] SourceLocation where(const std::string& key) const;
+};
+
+/// Reads and validates a case file; `overrides` are `key.path=value` texts that replace or add keys
+/// (a tool's keys as `tool.punch.friction=0.1`, by its name). Cards and meshes are looked for in the case's
+/// folder, the current folder and towform's own data. Throws InputError with every issue found.
+Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The case with every value written out, defaults too, as a TOML text that reads back to the same case.
+std::string resolved_case(const Case& c);
+
+/// One line per key: name, unit, default, range, meaning (from the table that also reads the case).
+std::string key_reference();
+
+} // namespace towform

@@ -1,0 +1,31 @@
+#pragma once
+#include "towform/energy_model.hpp"
+#include <string>
+
+namespace towform {
+
+/// How the shear-force surface becomes a stress (physics of the three laws: src/material/fabric_law.hpp).
+enum class LawKind { viscous, incremental, elastic };
+
+/// Which curve the incremental law follows.
+enum class CurveSelection { next_higher, interpolate };
+
+/// Everything a case says about the sheet's material.
+struct MaterialParameters {
+  std::string card; ///< name of the card, or empty
+  Constituents constituents;
+  double temperature = 0.0; ///< of the sheet [K]
+  LawKind law = LawKind::viscous;
+  CurveSelection curve_selection = CurveSelection::next_higher;
+  double velocity_scale = 1.0;     ///< multiplies the rate where a curve is chosen, nowhere else
+  double curve_rate_min = 0.0;     ///< first curve's angular rate [rad/s]
+  double curve_rate_max = 0.0;     ///< last curve's angular rate [rad/s]
+  int curve_count = 20;            ///< equal increments from the first to the last
+  double elastic_rate = 0.0;       ///< the rate whose curve the elastic law follows [rad/s]
+  double fibre_modulus = 0.0;      ///< E of a yarn family over the sheet's whole thickness [Pa]
+  double compression_factor = 0.0; ///< yarn stiffness in compression over that in tension
+  double yarn_damping = 0.0;       ///< fraction of critical, in the yarn direction
+  double relaxation_ratio = 0.0;   ///< Maxwell modulus G over yarn stiffness E h (viscous law)
+};
+
+} // namespace towform

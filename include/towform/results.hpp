@@ -1,0 +1,104 @@
+#pragma once
+#include "towform/surface_mesh.hpp"
+#include "towform/vec3.hpp"
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace towform {
+
+/// One output frame: the state of the sheet at a time. Sizes: n nodes, m elements.
+struct Frame {
+  double time = 0.0;                               ///< [s]
+  std::vector<Vec3> position;                      ///< n [m]
+  std::vector<Vec3> velocity;                      ///< n [m/s]
+  std::vector<double> contact_pressure;            ///< n [Pa]
+  std::vector<double> shear_angle;                 ///< m [deg]
+  std::vector<double> shear_rate;                  ///< m [rad/s]
+  std::vector<std::int32_t> curve_index;           ///< m, 1-based number of the curve in use
+  std::vector<double> curve_position;              ///< m, its continuous version
+  std::vector<double> shear_force;                 ///< m [N/m]
+  std::vector<Vec3> fibre_1, fibre_2;              ///< m, unit yarn directions
+  std::vector<std::array<double, 2>> fibre_strain; ///< m [-]
+  std::vector<double> thickness;                   ///< m [m]
+  std::vector<double> temperature;                 ///< m [K]
+};
+
+/// Where a result came from; becomes the root attributes of results.h5.
+struct Provenance {
+  std::string version, git_hash, flags;
+  std::string title;
+  std::string case_text;                                         ///< as the user wrote it
+  std::string resolved_case;                                     ///< with every default
+  std::vector<std::pair<std::string, std::string>> input_sha256; ///< (file, digest)
+};
+
+/// results.h5 and results.xdmf of a run. The HDF5 file is opened, extended and closed for every frame, so
+/// that a reader can look during the run and a crash loses at most one frame. Throws FileError naming the
+/// file.
+class ResultsWriter {
+public:
+  /// Creates DIR/results.h5 (replacing one that is there) with `/mesh` and the root attributes, status
+  /// "running".
+  ResultsWriter(std::filesystem::path directory, const SurfaceMesh& blank, const Provenance& provenance);
+  void append(const Frame& frame);
+  /// Sets the root attribute `status`: "done" or why the run stopped.
+  void finish(const std::string& status);
+  [[nodiscard]] int frames() const { return static_cast<int>(times_.size()); }
+
+private:
+  void write_xdmf() const;
+
+  std::filesystem::path directory_;
+  std::size_t nodes_, elements_;
+  std::vector<double> times_;
+};
+
+/// history.csv: one row per output interval, flushed as it is written.
+class HistoryWriter {
+public:
+  HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& columns);
+  void append(const std::vector<double>& row); ///< as many values as columns; whole numbers print as such
+
+private:
+  std::filesystem::path path_;
+  std::size_t columns_;
+};
+
+/// The figures of a whole run; summary.json, under these names.
+struct Summary {
+  std::string status = "running";
+  std::string message; ///< why a run stopped; empty when done
+  std::int64_t elements = 0, nodes = 0, steps = 0;
+  double simulated_time_s = 0.0, wall_time_s = 0.0;
+  int threads = 1;
+  double ns_per_element_step = 0.0;
+  double step_min_s = 0.0, step_max_s = 0.0;
+  double energy_error = 0.0;
+  double kinetic_to_internal_max = 0.0;
+  double shear_angle_max_deg = 0.0, shear_angle_p99_deg = 0.0;
+  double fibre_strain_max = 0.0; ///< largest |strain| of any yarn in any element
+  double fibre_strain_p99 = 0.0;
+  double fibre_strain_over_2_percent = 0.0; ///< fraction of the elements with |strain| > 2 %
+  double draw_in_x_mid_mm = 0.0, draw_in_y_mid_mm = 0.0, draw_in_corner_mm = 0.0;
+  double punch_force_max_N = 0.0;
+  double penetration_max_mm = 0.0;
+  double added_mass_fraction = 0.0;
+  std::vector<std::pair<std::string, double>> energies_J;
+  std::vector<std::pair<std::string, double>> phases_s;
+};
+
+/// Writes DIR/summary.json through a temporary name. Throws FileError.
+void write_summary(const std::filesystem::path& directory, const Summary& summary);
+
+/// SHA-256 of a file's bytes, 64 lower-case hexadecimal digits. Throws FileError.
+std::string sha256_of_file(const std::filesystem::path& path);
+
+/// What `towform info` prints about a results file. Throws FileError.
+std::string describe_results(const std::filesystem::path& path);
+
+} // namespace towform
