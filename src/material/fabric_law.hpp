@@ -1,0 +1,110 @@
+#pragma once
+#include "material/shear_curves.hpp"
+#include "material/shear_table.hpp"
+#include "towform/material.hpp"
+#include <cmath>
+#include <memory>
+#include <variant>
+
+namespace towform {
+
+/// What a fabric law remembers at a point between steps.
+struct ShearPoint {
+  double angle = 0.0; ///< theta [rad], as of the last update
+  double force = 0.0; ///< N [N/m], conjugate to sin(theta)
+  double rate = 0.0;  ///< |theta_dot| as the law sees it [rad/s]
+};
+
+/// `"viscous"`: a Maxwell element, spring G in series with the sheet's own viscous surface N_s(theta, rate):
+/// N + G dt rate(N) = N_old + G dtheta with N = N_s(theta, rate), solved for the rate. The surface is concave
+/// and rising in the rate (shear thinning), so Newton from below is monotone; from above its first step
+/// undershoots.
+struct ViscousLaw {
+  std::shared_ptr<const ShearTable> surface;
+  double modulus = 0.0; ///< G [N/m]
+
+  /// Advances the point to `angle`; returns the power dissipated over cos(theta), |N| rate [W/m^2].
+  double update(ShearPoint& p, double angle, double dt) const
+  {
+    const double trial = p.force + modulus * (angle - p.angle);
+    const double target = std::abs(trial);
+    const ShearTable::Slice along_rate = surface->slice(angle);
+    const double spring = modulus * dt;
+    double rate = p.rate;
+    for (int i = 0; i < max_iterations; ++i) {
+      const auto [force, slope] = along_rate.at(rate);
+      const double correction = (target - force - spring * rate) / (slope + spring);
+      rate = rate + correction > 0.0 ? rate + correction : 0.0;
+      if (std::abs(correction) * (slope + spring) <= tolerance * target) break;
+    }
+    p.angle = angle;
+    p.rate = rate;
+    p.force = std::copysign(target - spring * rate, trial);
+    return std::abs(p.force) * rate;
+  }
+
+private:
+  static constexpr int max_iterations = 50;
+  static constexpr double tolerance = 1e-9;
+};
+
+/// `"incremental"`, the paper's: dN = dN_s/dtheta dtheta along the curve chosen by the rate (Eqs. 9-12); the
+/// direction of the stress follows the yarns exactly. Whatever the curves dissipate in truth, this law
+/// stores.
+struct IncrementalLaw {
+  std::shared_ptr<const ShearCurves> curves;
+  CurveSelection selection = CurveSelection::next_higher;
+  double velocity_scale = 1.0; ///< multiplies the rate where a curve is chosen
+
+  double update(ShearPoint& p, double angle, double dt) const
+  {
+    const double step = angle - p.angle, middle = 0.5 * (angle + p.angle);
+    p.rate = std::abs(step) / dt;
+    p.force += slope(middle, p.rate * velocity_scale) * step;
+    p.angle = angle;
+    return 0.0;
+  }
+
+private:
+  [[nodiscard]] double slope(double angle, double rate) const
+  {
+    if (selection == CurveSelection::next_higher)
+      return curves->curves[static_cast<std::size_t>(curves->next_higher(rate)) - 1].slope(angle);
+    const double position = curves->position(rate) - 1.0;
+    const auto low = static_cast<std::size_t>(position);
+    const double weight = position - static_cast<double>(low);
+    const double below = curves->curves[low].slope(angle);
+    return weight == 0.0 ? below : below + weight * (curves->curves[low + 1].slope(angle) - below);
+  }
+};
+
+/// `"elastic"`: one curve whatever the rate, N a function of theta alone. The curve starts at N_s(0) > 0:
+/// through theta = 0 it is joined by a straight line over +-`joint`.
+struct ElasticLaw {
+  std::shared_ptr<const ShearCurves> curves; ///< exactly one
+  static constexpr double joint = 0.5 * 3.14159265358979323846 / 180.0;
+
+  double update(ShearPoint& p, double angle, double dt) const
+  {
+    const ShearCurve& curve = curves->curves.front();
+    p.rate = std::abs(angle - p.angle) / dt;
+    p.angle = angle;
+    p.force = std::abs(angle) < joint ? curve.force(joint) * angle / joint
+                                      : std::copysign(curve.force(angle), angle);
+    return 0.0;
+  }
+};
+
+using FabricLaw = std::variant<ViscousLaw, IncrementalLaw, ElasticLaw>;
+
+/// The law of a case with its surface and curves.
+struct FabricMaterial {
+  FabricLaw law;
+  std::shared_ptr<const ShearTable> surface;
+  std::shared_ptr<const ShearCurves> curves; ///< of the case's rates: what the indicator counts
+};
+
+/// Tabulates the energy model once and builds the law. Throws std::domain_error (constituents out of range).
+FabricMaterial make_fabric_material(const MaterialParameters& material, double thickness);
+
+} // namespace towform
