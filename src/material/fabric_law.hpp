@@ -2,18 +2,12 @@
 #include "material/shear_curves.hpp"
 #include "material/shear_table.hpp"
 #include "towform/material.hpp"
+#include "towform/state.hpp"
 #include <cmath>
 #include <memory>
 #include <variant>
 
 namespace towform {
-
-/// What a fabric law remembers at a point between steps.
-struct ShearPoint {
-  double angle = 0.0; ///< theta [rad], as of the last update
-  double force = 0.0; ///< N [N/m], conjugate to sin(theta)
-  double rate = 0.0;  ///< |theta_dot| as the law sees it [rad/s]
-};
 
 /// `"viscous"`: a Maxwell element, spring G in series with the sheet's own viscous surface N_s(theta, rate):
 /// N + G dt rate(N) = N_old + G dtheta with N = N_s(theta, rate), solved for the rate. The surface is concave

@@ -1,0 +1,45 @@
+#pragma once
+#include "towform/vec3.hpp"
+#include <cstdint>
+#include <vector>
+
+namespace towform {
+
+/// What a fabric law remembers at a point between steps.
+struct ShearPoint {
+  double angle = 0.0; ///< theta [rad], as of the last update
+  double force = 0.0; ///< N [N/m], conjugate to sin(theta)
+  double rate = 0.0;  ///< |theta_dot| as the law sees it [rad/s]
+};
+
+/// A quantity of the two yarn families.
+struct YarnPair {
+  double warp = 0.0, weft = 0.0;
+};
+
+/// Everything of the sheet that changes with time. Positions stand at step n, velocities at n - 1/2 (central
+/// differences). Sizes: n nodes, m elements.
+struct State {
+  double time = 0.0;      ///< t_n [s]
+  std::int64_t step = 0;  ///< n
+  double last_dt = 0.0;   ///< t_n - t_(n-1) [s]
+
+  std::vector<Vec3> position; ///< n, x_n [m]
+  std::vector<Vec3> velocity; ///< n, v_(n-1/2) [m/s]
+  std::vector<Vec3> force;    ///< n, at x_n [N]
+
+  std::vector<YarnPair> node_strain;  ///< n, yarn strain averaged over the elements round a node, at x_n
+  std::vector<YarnPair> node_tension; ///< n, its tension [N/m], with damping
+  std::vector<YarnPair> yarn_strain;  ///< m, at x_n
+  std::vector<double> sine;           ///< m, sin(theta) = f1.f2 at x_n
+  std::vector<ShearPoint> shear;      ///< m, at x_n
+  std::vector<Vec3> corner_force;     ///< 3m, each element's own slots, summed per node in fixed order [N]
+
+  // Since the start, per entity, so that sums are the same for any number of threads [J]
+  std::vector<double> shear_work;       ///< m, done on the sheet in shear
+  std::vector<double> shear_dissipated; ///< m
+  std::vector<double> yarn_damping;     ///< n
+  std::vector<double> mass_damping;     ///< n
+};
+
+} // namespace towform

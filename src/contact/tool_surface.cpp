@@ -1,0 +1,99 @@
+#include "contact/tool_surface.hpp"
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace towform {
+
+ToolSurface::ToolSurface(SurfaceMesh mesh)
+    : mesh_(std::move(mesh)), tree_(mesh_), edge_normal_(mesh_.triangles.size()),
+      border_edge_(mesh_.triangles.size()), corner_normal_(mesh_.points.size()),
+      border_corner_(mesh_.points.size(), 0), lowest_(mesh_.points.front()), highest_(mesh_.points.front())
+{
+  for (const Vec3& p : mesh_.points) {
+    lowest_ = {std::min(lowest_.x, p.x), std::min(lowest_.y, p.y), std::min(lowest_.z, p.z)};
+    highest_ = {std::max(highest_.x, p.x), std::max(highest_.y, p.y), std::max(highest_.z, p.z)};
+  }
+  std::map<std::pair<int, int>, int> facet_of_edge; // directed
+  facet_normal_.reserve(mesh_.triangles.size());
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+    const Triangle& corner = mesh_.triangles[t];
+    const std::array<Vec3, 3>& x = tree_.corners(static_cast<int>(t));
+    facet_normal_.push_back(normalized(cross(x[1] - x[0], x[2] - x[0])));
+    for (int k = 0; k < 3; ++k) {
+      facet_of_edge[{corner[k], corner[(k + 1) % 3]}] = static_cast<int>(t);
+      const Vec3 out = normalized(x[(k + 1) % 3] - x[k]), back = normalized(x[(k + 2) % 3] - x[k]);
+      corner_normal_[corner[k]] += std::acos(std::clamp(dot(out, back), -1.0, 1.0)) * facet_normal_.back();
+    }
+  }
+  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int from = mesh_.triangles[t][k], to = mesh_.triangles[t][(k + 1) % 3];
+      const auto other = facet_of_edge.find({to, from});
+      border_edge_[t][k] = other == facet_of_edge.end();
+      edge_normal_[t][k] = facet_normal_[t];
+      if (other != facet_of_edge.end())
+        edge_normal_[t][k] += facet_normal_[other->second];
+      else
+        border_corner_[from] = border_corner_[to] = 1;
+    }
+}
+
+SurfacePoint ToolSurface::with_side(const Vec3& p, int facet, const FacetPoint& near) const
+{
+  SurfacePoint result;
+  result.facet = facet;
+  result.point = near.point;
+  Vec3 normal;
+  switch (near.feature) {
+  case Feature::inside:
+    normal = facet_normal_[facet];
+    break;
+  case Feature::edge_0:
+  case Feature::edge_1:
+  case Feature::edge_2: {
+    const int k = static_cast<int>(near.feature) - static_cast<int>(Feature::edge_0);
+    normal = edge_normal_[facet][k];
+    result.on_border = border_edge_[facet][k];
+    break;
+  }
+  default: {
+    const int node =
+        mesh_.triangles[facet][static_cast<int>(near.feature) - static_cast<int>(Feature::corner_0)];
+    normal = corner_normal_[node];
+    result.on_border = border_corner_[node] != 0;
+  }
+  }
+  const Vec3 away = p - near.point;
+  const double distance = std::sqrt(near.distance_squared);
+  const double side = dot(away, normal) < 0.0 ? -1.0 : 1.0;
+  result.distance = side * distance;
+  // On the surface itself the shortest way has no direction: the facet's normal stands for it.
+  constexpr double touching = 1e-12; // [m]
+  result.normal = distance > touching ? (side / distance) * away : facet_normal_[facet];
+  return result;
+}
+
+SurfacePoint ToolSurface::nearest(const Vec3& p, int hint) const
+{
+  double bound = std::numeric_limits<double>::max();
+  if (hint >= 0) bound = std::sqrt(nearest_on_facet(tree_.corners(hint), p).distance_squared) * (1.0 + 1e-12);
+  const int facet = tree_.nearest(p, std::min(bound, 1e100));
+  return with_side(p, facet, nearest_on_facet(tree_.corners(facet), p));
+}
+
+SurfacePoint ToolSurface::nearest_of(const Vec3& p, std::span<const int> facets) const
+{
+  int best = facets.front();
+  FacetPoint nearest = nearest_on_facet(tree_.corners(best), p);
+  for (const int facet : facets.subspan(1)) {
+    const FacetPoint other = nearest_on_facet(tree_.corners(facet), p);
+    if (other.distance_squared < nearest.distance_squared) {
+      nearest = other;
+      best = facet;
+    }
+  }
+  return with_side(p, best, nearest);
+}
+
+} // namespace towform

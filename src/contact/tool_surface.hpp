@@ -1,0 +1,49 @@
+#pragma once
+#include "contact/facet.hpp"
+#include "contact/facet_tree.hpp"
+#include "towform/surface_mesh.hpp"
+#include <span>
+#include <vector>
+
+namespace towform {
+
+/// The nearest point of a tool's surface and which side of it a point is on.
+struct SurfacePoint {
+  int facet = -1;
+  Vec3 point;
+  Vec3 normal;            ///< unit, away from the tool along the shortest way
+  double distance = 0.0;  ///< signed, negative inside the tool [m]
+  bool on_border = false; ///< nearest to an edge that only one facet has (an open surface ends there)
+};
+
+/// A rigid surface in its own frame: facets, their tree, and the normals that decide on the side: of facets,
+/// of edges (mean of both facets) and of corners (weighted by angle; Baerentzen and Aanaes 2005).
+class ToolSurface {
+public:
+  explicit ToolSurface(SurfaceMesh mesh);
+
+  [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
+  [[nodiscard]] const FacetTree& tree() const { return tree_; }
+
+  /// Nearest point among all facets; `hint` (a facet, or -1) only makes it faster.
+  [[nodiscard]] SurfacePoint nearest(const Vec3& p, int hint = -1) const;
+  /// Nearest point among some facets (not empty), ascending; of equally near ones the first.
+  [[nodiscard]] SurfacePoint nearest_of(const Vec3& p, std::span<const int> facets) const;
+
+  [[nodiscard]] Vec3 lowest() const { return lowest_; }   ///< corner of the bounding box
+  [[nodiscard]] Vec3 highest() const { return highest_; } ///< opposite corner
+
+private:
+  [[nodiscard]] SurfacePoint with_side(const Vec3& p, int facet, const FacetPoint& nearest) const;
+
+  SurfaceMesh mesh_;
+  FacetTree tree_;
+  std::vector<Vec3> facet_normal_;
+  std::vector<std::array<Vec3, 3>> edge_normal_;
+  std::vector<std::array<bool, 3>> border_edge_;
+  std::vector<Vec3> corner_normal_; // of mesh points
+  std::vector<char> border_corner_;
+  Vec3 lowest_, highest_;
+};
+
+} // namespace towform

@@ -1,0 +1,68 @@
+#pragma once
+#include "element/yarn.hpp"
+#include "material/fabric_law.hpp"
+#include "towform/blank.hpp"
+#include "towform/state.hpp"
+#include <array>
+#include <span>
+#include <vector>
+
+namespace towform {
+
+/// Yarn vectors of a triangle are weighted sums of its edges from corner 0:
+/// F f01 = warp_1 (x1 - x0) + warp_2 (x2 - x0), likewise weft, with warp_k = grad N_k . f01 [1/m].
+struct YarnGradients {
+  double warp_1, warp_2, weft_1, weft_2;
+};
+
+/// Corner slots of every node: slot 3e + c belongs to corner c of element e. Ascending per node, so that sums
+/// have one order.
+struct CornersOfNode {
+  std::vector<int> first; ///< n + 1
+  std::vector<int> slot;  ///< 3m
+
+  CornersOfNode(std::span<const Triangle> triangles, std::size_t nodes);
+  [[nodiscard]] std::span<const int> of(std::size_t node) const
+  {
+    return {slot.data() + first[node], slot.data() + first[node + 1]};
+  }
+};
+
+/// Membrane triangles of one ply, one integration point each, total Lagrangian: first Piola-Kirchhoff
+/// resultant
+///   P = T1 f1 x f01 + T2 f2 x f02 + N [(f2 - s f1) x f01/lambda1 + (f1 - s f2) x f02/lambda2]   [N/m]
+/// (physics: from the surface to a stress). Yarn strains are averaged over the elements round each node,
+/// weighted by area: a constant-strain triangle locks where its edges cross stiff yarns. The energy is
+///   sum_n A_n w(mean strain of n) (1 - alpha) + sum_e A_e w(strain of e) alpha,
+/// so that forces are its exact derivative; alpha, `own_strain_share`, holds down the strain patterns whose
+/// nodal means vanish. alpha = 1 is the plain triangle.
+struct Membrane {
+  std::vector<Triangle> triangles;      ///< m
+  std::vector<YarnGradients> gradients; ///< m
+  std::vector<double> area;             ///< m, reference [m^2]
+  std::vector<double> node_area;        ///< n, a third of the elements round a node [m^2]
+  CornersOfNode corners;
+  std::vector<int> exchanging_nodes; ///< on a mirror that maps warp to weft: both families share one strain
+  double reference_sine = 0.0;       ///< f01 . f02
+  double thickness = 0.0;            ///< [m]
+  YarnLaw yarn;
+  double damping_time = 0.0; ///< yarn damping: T += k damping_time d(strain)/dt [s]
+  double own_strain_share = 0.1;
+  FabricLaw law;
+
+  Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law);
+
+  /// Elastic energy of all yarns at the state's strains [J].
+  [[nodiscard]] double yarn_energy(const State& s) const;
+};
+
+/// Sizes the membrane's arrays of a state whose positions are set, stress-free at the reference.
+void start(const Membrane& membrane, State& s);
+
+/// Corner forces at x_n; advances the histories from x_(n-1) by dt and the works done in between.
+void membrane_forces(const Membrane& membrane, State& s, double dt);
+
+/// force[n] = sum of the node's corner slots.
+void assemble(const CornersOfNode& corners, std::span<const Vec3> corner_force, std::span<Vec3> force);
+
+} // namespace towform
