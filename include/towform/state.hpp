@@ -20,9 +20,9 @@ struct YarnPair {
 /// Everything of the sheet that changes with time. Positions stand at step n, velocities at n - 1/2 (central
 /// differences). Sizes: n nodes, m elements.
 struct State {
-  double time = 0.0;      ///< t_n [s]
-  std::int64_t step = 0;  ///< n
-  double last_dt = 0.0;   ///< t_n - t_(n-1) [s]
+  double time = 0.0;     ///< t_n [s]
+  std::int64_t step = 0; ///< n
+  double last_dt = 0.0;  ///< t_n - t_(n-1) [s]
 
   std::vector<Vec3> position; ///< n, x_n [m]
   std::vector<Vec3> velocity; ///< n, v_(n-1/2) [m/s]

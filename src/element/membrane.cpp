@@ -79,28 +79,12 @@ void start(const Membrane& membrane, State& s)
 
 namespace {
 
-/// Current yarns of an element: F f0 = lambda f.
-struct Yarns {
-  Vec3 f1, f2;
-  double lambda1, lambda2;
-
-  Yarns(const Triangle& t, const YarnGradients& g, const std::vector<Vec3>& x)
-  {
-    const Vec3 d1 = x[t[1]] - x[t[0]], d2 = x[t[2]] - x[t[0]];
-    const Vec3 a1 = g.warp_1 * d1 + g.warp_2 * d2, a2 = g.weft_1 * d1 + g.weft_2 * d2;
-    lambda1 = norm(a1);
-    lambda2 = norm(a2);
-    f1 = (1.0 / lambda1) * a1;
-    f2 = (1.0 / lambda2) * a2;
-  }
-};
-
 void element_strains(const Membrane& membrane, State& s)
 {
   const auto elements = static_cast<std::ptrdiff_t>(membrane.triangles.size());
 #pragma omp for schedule(static)
   for (std::ptrdiff_t e = 0; e < elements; ++e) {
-    const Yarns y(membrane.triangles[e], membrane.gradients[e], s.position);
+    const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
     s.yarn_strain[e] = {y.lambda1 - 1.0, y.lambda2 - 1.0};
   }
 }
@@ -155,7 +139,7 @@ void element_forces(const Membrane& membrane, const Law& law, State& s, double d
     const Triangle& t = membrane.triangles[e];
     const YarnGradients& g = membrane.gradients[e];
     const double area = membrane.area[e];
-    const Yarns y(t, g, s.position);
+    const YarnVectors y(t, g, s.position);
     const double sine = std::clamp(dot(y.f1, y.f2), -1.0, 1.0);
 
     ShearPoint& p = s.shear[e];

@@ -15,6 +15,22 @@ struct YarnGradients {
   double warp_1, warp_2, weft_1, weft_2;
 };
 
+/// An element's yarns: F f0 = lambda f.
+struct YarnVectors {
+  Vec3 f1, f2;             ///< unit, current warp and weft
+  double lambda1, lambda2; ///< stretches
+
+  YarnVectors(const Triangle& t, const YarnGradients& g, std::span<const Vec3> position)
+  {
+    const Vec3 d1 = position[t[1]] - position[t[0]], d2 = position[t[2]] - position[t[0]];
+    const Vec3 a1 = g.warp_1 * d1 + g.warp_2 * d2, a2 = g.weft_1 * d1 + g.weft_2 * d2;
+    lambda1 = norm(a1);
+    lambda2 = norm(a2);
+    f1 = (1.0 / lambda1) * a1;
+    f2 = (1.0 / lambda2) * a2;
+  }
+};
+
 /// Corner slots of every node: slot 3e + c belongs to corner c of element e. Ascending per node, so that sums
 /// have one order.
 struct CornersOfNode {

@@ -6,21 +6,6 @@ namespace towform {
 
 namespace {
 
-struct Directions {
-  Vec3 f1, f2;
-  double lambda1, lambda2, sine;
-};
-
-Directions directions(const Membrane& membrane, const State& s, int e)
-{
-  const Triangle& t = membrane.triangles[e];
-  const YarnGradients& g = membrane.gradients[e];
-  const Vec3 d1 = s.position[t[1]] - s.position[t[0]], d2 = s.position[t[2]] - s.position[t[0]];
-  const Vec3 a1 = g.warp_1 * d1 + g.warp_2 * d2, a2 = g.weft_1 * d1 + g.weft_2 * d2;
-  const double l1 = norm(a1), l2 = norm(a2);
-  return {(1.0 / l1) * a1, (1.0 / l2) * a2, l1, l2, dot(a1, a2) / (l1 * l2)};
-}
-
 /// Gradients of an element's corners along warp and weft.
 std::array<YarnPair, 3> corner_gradients(const YarnGradients& g)
 {
@@ -42,15 +27,15 @@ double patch_frequency_squared(const Membrane& membrane, const State& s, std::sp
   std::vector<Row> rows; // a handful of nodes: linear search
   for (const int slot : membrane.corners.of(n)) {
     const int e = slot / 3;
-    const Directions d = directions(membrane, s, e);
+    const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
     const auto gradients = corner_gradients(membrane.gradients[e]);
     const double weight = membrane.area[e] / (3.0 * membrane.node_area[n]);
     for (int c = 0; c < 3; ++c) {
       const int node = membrane.triangles[e][c];
       auto row = std::find_if(rows.begin(), rows.end(), [node](const Row& r) { return r.node == node; });
       if (row == rows.end()) row = rows.insert(rows.end(), Row{node, {}, {}});
-      row->warp += weight * gradients[c].warp * d.f1;
-      row->weft += weight * gradients[c].weft * d.f2;
+      row->warp += weight * gradients[c].warp * y.f1;
+      row->weft += weight * gradients[c].weft * y.f2;
       row->mass += element_mass[e] / 9.0;
     }
   }
@@ -68,19 +53,18 @@ double patch_frequency_squared(const Membrane& membrane, const State& s, std::sp
 double element_frequency_squared(const Membrane& membrane, const State& s, double mass, double shear_modulus,
                                  int e)
 {
-  const Directions d = directions(membrane, s, e);
+  const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
   double warp = 0.0, weft = 0.0, both = 0.0; // sums over corners of products of gradients
   for (const YarnPair& g : corner_gradients(membrane.gradients[e])) {
     warp += g.warp * g.warp;
     weft += g.weft * g.weft;
     both += g.warp * g.weft;
   }
-  const double cosine = std::sqrt(std::max(0.0, 1.0 - d.sine * d.sine));
-  const double yarns =
-      membrane.own_strain_share * membrane.yarn.stiffness * largest(warp, weft, both * d.sine);
+  const double sine = dot(y.f1, y.f2), cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
+  const double yarns = membrane.own_strain_share * membrane.yarn.stiffness * largest(warp, weft, both * sine);
   const double shear = shear_modulus * cosine *
-                       (warp / (d.lambda1 * d.lambda1) + weft / (d.lambda2 * d.lambda2) -
-                        2.0 * d.sine * both / (d.lambda1 * d.lambda2));
+                       (warp / (y.lambda1 * y.lambda1) + weft / (y.lambda2 * y.lambda2) -
+                        2.0 * sine * both / (y.lambda1 * y.lambda2));
   return 3.0 * membrane.area[e] / mass * (yarns + shear);
 }
 

@@ -1,0 +1,58 @@
+#include "solver/energy.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace towform {
+
+double Energies::error() const
+{
+  const double moved = std::max(std::abs(external), kinetic + internal());
+  return moved > 0.0 ? std::abs(kinetic + internal() - external) / moved : 0.0;
+}
+
+Energies energy_account(const Model& model, const System& s)
+{
+  const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+  Energies e;
+  // v_(n-1/2) . v_(n+1/2): what central differences conserve in a linear system.
+  for (std::size_t n = 0; n < model.mass.size(); ++n) {
+    const Vec3& v = s.sheet.velocity[n];
+    e.kinetic += 0.5 * (model.mass[n] * norm_squared(v) + s.sheet.last_dt * dot(v, s.sheet.force[n]));
+  }
+  e.yarn = model.membrane.yarn_energy(s.sheet);
+  e.shear_dissipated = sum(s.sheet.shear_dissipated);
+  e.shear_elastic = sum(s.sheet.shear_work) - e.shear_dissipated;
+  e.damping = sum(s.sheet.yarn_damping) + sum(s.sheet.mass_damping);
+  for (const ContactState& c : s.contacts) {
+    e.contact += c.energies.elastic;
+    e.friction += c.energies.friction;
+    e.damping += c.energies.damping;
+  }
+  for (double* part :
+       {&e.kinetic, &e.yarn, &e.shear_elastic, &e.shear_dissipated, &e.contact, &e.friction, &e.damping})
+    *part *= model.mirror_factor;
+  for (std::size_t i = 0; i < s.tools.size(); ++i) {
+    const Tool& tool = model.tools[i];
+    e.external += s.tools[i].work;
+    if (!tool.force) continue;
+    const double acceleration = (*tool.force + dot(s.tools[i].reaction, tool.direction)) / tool.mass;
+    const double v = s.tools[i].velocity;
+    e.kinetic += 0.5 * tool.mass * v * (v + s.sheet.last_dt * acceleration);
+  }
+  return e;
+}
+
+std::vector<std::pair<std::string, double>> listed(const Energies& e)
+{
+  return {{"kinetic", e.kinetic},
+          {"yarn", e.yarn},
+          {"shear_elastic", e.shear_elastic},
+          {"shear_dissipated", e.shear_dissipated},
+          {"contact", e.contact},
+          {"friction", e.friction},
+          {"damping", e.damping},
+          {"external", e.external}};
+}
+
+} // namespace towform

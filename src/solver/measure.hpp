@@ -1,0 +1,37 @@
+#pragma once
+#include "solver/energy.hpp"
+#include "solver/model.hpp"
+#include "towform/results.hpp"
+
+namespace towform {
+
+/// The state of the sheet at t_n as a frame of the results.
+Frame make_frame(const Model& model, const System& s);
+
+/// How far the blank's edges have moved towards its middle in plan, means over the modelled edges [m].
+struct DrawIn {
+  double x_mid = 0.0;  ///< middle of the edges x = const
+  double y_mid = 0.0;  ///< middle of the edges y = const
+  double corner = 0.0; ///< corners, along their diagonal
+};
+
+/// Remembers which nodes stand for the blank's edges.
+class DrawInGauge {
+public:
+  explicit DrawInGauge(const Blank& blank);
+  [[nodiscard]] DrawIn measure(const Blank& blank, const System& s) const;
+
+private:
+  std::vector<int> x_mid_, y_mid_, corner_;
+};
+
+/// Extremes over the elements.
+struct FieldExtremes {
+  double shear_max = 0.0, shear_p99 = 0.0;   ///< |theta| [rad]
+  double strain_max = 0.0, strain_p99 = 0.0; ///< larger |strain| of an element's two yarn families
+  double strain_over_2_percent = 0.0;        ///< fraction of the elements
+  int most_sheared = 0, most_strained = 0;   ///< elements
+};
+FieldExtremes field_extremes(const System& s);
+
+} // namespace towform

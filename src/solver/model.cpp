@@ -1,0 +1,151 @@
+#include "solver/model.hpp"
+#include "element/stable_step.hpp"
+#include "solver/placement.hpp"
+#include "solver/step.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace towform {
+
+namespace {
+
+/// Reads every tool; unreadable ones become issues.
+std::vector<Tool> read_tools(const Case& c, std::vector<InputIssue>& issues)
+{
+  std::vector<Tool> tools;
+  for (std::size_t i = 0; i < c.tools.size(); ++i) {
+    const ToolParameters& p = c.tools[i];
+    try {
+      SurfaceMesh mesh = read_stl(p.mesh, p.mesh_unit);
+      for (Vec3& x : mesh.points) x += p.position;
+      const Axis axis = p.motion ? p.motion->axis : p.axis;
+      tools.push_back(
+          {p.name, ToolSurface(std::move(mesh)), p.friction, p.motion, p.force, unit_vector(axis), p.mass});
+    } catch (const FileError& e) {
+      issues.push_back({c.where("tool[" + std::to_string(i) + "].mesh"), e.what(), ExitCode::files});
+    }
+  }
+  return tools;
+}
+
+/// Bound of dN/dtheta of the law, the shear part of the stable step [N/m].
+double shear_modulus_bound(const FabricMaterial& material)
+{
+  if (const auto* viscous = std::get_if<ViscousLaw>(&material.law)) return viscous->modulus;
+  double bound = 0.0;
+  for (const ShearCurve& curve : material.curves->curves)
+    for (int i = 0; i <= 75; ++i) bound = std::max(bound, std::abs(curve.slope(i * M_PI / 180.0)));
+  if (const auto* elastic = std::get_if<ElasticLaw>(&material.law))
+    bound = std::max(bound, elastic->curves->curves.front().force(ElasticLaw::joint) / ElasticLaw::joint);
+  return bound;
+}
+
+std::vector<double> lumped(const Membrane& membrane, const std::vector<double>& element_mass,
+                           std::size_t nodes)
+{
+  std::vector<double> mass(nodes, 0.0);
+  for (std::size_t e = 0; e < element_mass.size(); ++e)
+    for (const int n : membrane.triangles[e]) mass[n] += element_mass[e] / 3.0;
+  return mass;
+}
+
+/// Masses, steps and contact stiffnesses: what depends on one another.
+void set_inertia(const Case& c, Model& model)
+{
+  Membrane& membrane = model.membrane;
+  State sheet;
+  sheet.position = model.blank.mesh.points;
+  const double per_area = c.material.constituents.density * c.blank.thickness;
+  const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
+  for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
+  // Room for two tools on a node: their springs and dashpots add 2 beta to (omega dt)^2 <= 4, and more with
+  // damping.
+  model.step_factor = c.time.safety * std::sqrt(1.0 - c.contact.penalty);
+  const auto sheet_step = [&] {
+    return stable_step(membrane, sheet, model.element_mass, model.shear_modulus).step;
+  };
+  membrane.damping_time = c.material.yarn_damping * sheet_step();
+  if (c.time.step) {
+    const auto factors = selective_mass_factors(membrane, sheet, model.element_mass, model.shear_modulus,
+                                                *c.time.step / model.step_factor);
+    for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
+  }
+  model.added_mass_fraction =
+      std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0;
+  model.mass = lumped(membrane, model.element_mass, sheet.position.size());
+  model.first_step = model.step_factor * sheet_step();
+
+  for (std::size_t i = 0; i < model.tools.size(); ++i) {
+    Contact contact;
+    contact.tool = static_cast<int>(i);
+    contact.half_thickness = 0.5 * c.blank.thickness;
+    contact.stick_ratio = c.contact.stick;
+    for (const double mass : model.mass) {
+      const double stiffness = c.contact.penalty * mass / (model.first_step * model.first_step);
+      contact.stiffness.push_back(stiffness);
+      contact.damping.push_back(2.0 * c.contact.damping * std::sqrt(stiffness * mass));
+    }
+    model.contacts.push_back(std::move(contact));
+  }
+}
+
+template <class Make>
+auto input(const Case& c, const char* key, std::vector<InputIssue>& issues, Make make)
+    -> std::optional<decltype(make())>
+{
+  try {
+    return make();
+  } catch (const std::logic_error& e) { // invalid_argument and domain_error: the user's values
+    issues.push_back({c.where(key), e.what()});
+  }
+  return std::nullopt;
+}
+
+double mirror_factor(Symmetry symmetry)
+{
+  return symmetry == Symmetry::none ? 1.0 : symmetry == Symmetry::quarter ? 4.0 : 2.0;
+}
+
+} // namespace
+
+Model build_model(const Case& c)
+{
+  std::vector<InputIssue> issues;
+  auto blank = input(c, "blank", issues, [&] { return make_blank(c.blank); });
+  auto material =
+      input(c, "material", issues, [&] { return make_fabric_material(c.material, c.blank.thickness); });
+  std::vector<Tool> tools = read_tools(c, issues);
+  if (blank && tools.size() == c.tools.size()) check_placement(c, *blank, tools, issues);
+  if (!issues.empty()) throw InputError(std::move(issues));
+
+  const YarnLaw yarn{c.material.fibre_modulus * c.blank.thickness, c.material.compression_factor};
+  Membrane membrane(*blank, yarn, material->law);
+  Model model(std::move(*blank), std::move(*material), std::move(membrane));
+  model.tools = std::move(tools);
+  model.temperature = c.material.temperature;
+  model.mass_damping = c.time.mass_damping;
+  model.shear_modulus = shear_modulus_bound(model.material);
+  model.mirror_factor = mirror_factor(c.blank.symmetry);
+  set_inertia(c, model);
+  return model;
+}
+
+System start(const Model& model)
+{
+  System s;
+  s.sheet.position = model.blank.mesh.points;
+  s.sheet.velocity.assign(s.sheet.position.size(), {});
+  s.sheet.force.assign(s.sheet.position.size(), {});
+  s.sheet.mass_damping.assign(s.sheet.position.size(), 0.0);
+  start(model.membrane, s.sheet);
+  s.tools.resize(model.tools.size());
+  s.contacts.resize(model.contacts.size());
+  for (std::size_t i = 0; i < model.contacts.size(); ++i)
+    start(model.contacts[i], s.sheet.position.size(), s.contacts[i]);
+  Phases untimed;
+  evaluate_forces(model, s, model.first_step, untimed);
+  return s;
+}
+
+} // namespace towform

@@ -1,0 +1,48 @@
+#pragma once
+#include "contact/contact.hpp"
+#include "element/membrane.hpp"
+#include "towform/blank.hpp"
+#include "towform/case.hpp"
+#include <vector>
+
+namespace towform {
+
+/// What a case becomes: everything that does not change while it runs.
+struct Model {
+  Blank blank;
+  FabricMaterial material;
+  Membrane membrane;
+  std::vector<double> element_mass; ///< m, with mass scaling [kg]
+  std::vector<double> mass;         ///< n, lumped [kg]
+  double added_mass_fraction = 0.0; ///< by mass scaling, over the sheet's own
+  double mass_damping = 0.0;        ///< [1/s]
+  double shear_modulus = 0.0;       ///< bound of dN/dtheta, for the stable step [N/m]
+  double step_factor = 1.0;         ///< step over the sheet's stable step: safety, and room for contact
+  double first_step = 0.0;          ///< [s]; later steps are never longer
+  double temperature = 0.0;         ///< of the sheet [K]
+  double mirror_factor = 1.0;       ///< whole sheet over the modelled part
+  std::vector<Tool> tools;
+  std::vector<Contact> contacts; ///< one a tool
+
+  Model(Blank b, FabricMaterial m, Membrane sheet)
+      : blank(std::move(b)), material(std::move(m)), membrane(std::move(sheet))
+  {
+  }
+};
+
+/// All that changes while it runs.
+struct System {
+  State sheet;
+  std::vector<ToolState> tools;
+  std::vector<ContactState> contacts;
+  double fastest = 0.0; ///< bound of the nodes' speeds over the last step [m/s]
+};
+
+/// Meshes the blank, reads the tools, tabulates the material. Throws InputError with every issue found:
+/// unreadable meshes, constituents out of range, a blank that starts inside a tool or that no tool can meet.
+Model build_model(const Case& c);
+
+/// The system at rest at time 0, with its first forces.
+System start(const Model& model);
+
+} // namespace towform

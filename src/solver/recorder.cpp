@@ -1,0 +1,144 @@
+#include "solver/recorder.hpp"
+#include "solver/gates.hpp"
+#include "version.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace towform {
+
+namespace {
+
+Provenance provenance_of(const Case& c)
+{
+  Provenance p;
+  p.version = version::number;
+  p.git_hash = version::git_hash;
+  p.flags = version::flags;
+  p.title = c.title;
+  p.case_text = c.text;
+  p.resolved_case = resolved_case(c);
+  p.input_sha256.emplace_back(c.path.string(), sha256_of_file(c.path));
+  for (const ToolParameters& tool : c.tools)
+    p.input_sha256.emplace_back(tool.mesh.string(), sha256_of_file(tool.mesh));
+  return p;
+}
+
+std::vector<std::string> history_columns(const Model& model)
+{
+  std::vector<std::string> columns{"time_s", "step", "dt_s"};
+  for (const Tool& tool : model.tools) columns.push_back(fmt::format("force_{}_N", tool.name));
+  for (const Tool& tool : model.tools) columns.push_back(fmt::format("position_{}_m", tool.name));
+  for (const auto& [kind, value] : listed(Energies{})) columns.push_back(fmt::format("energy_{}_J", kind));
+  for (const char* name : {"energy_error", "kinetic_to_internal", "draw_in_x_mid_mm", "draw_in_y_mid_mm",
+                           "draw_in_corner_mm", "shear_angle_max_deg", "fibre_strain_p99", "penetration_mm"})
+    columns.emplace_back(name);
+  return columns;
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text)
+{
+  std::ofstream out(path);
+  out << text;
+  out.close();
+  if (!out) throw FileError(fmt::format("{}: cannot be written", path.string()));
+}
+
+double kinetic_to_internal(const Energies& e) { return e.internal() > 0.0 ? e.kinetic / e.internal() : 0.0; }
+
+} // namespace
+
+Recorder::Recorder(const Case& c, const Model& model, const std::filesystem::path& directory)
+    : case_(c), model_(model), directory_(directory), gauge_(model.blank),
+      results_(std::make_unique<ResultsWriter>(directory, model.blank.mesh, provenance_of(c))),
+      history_(std::make_unique<HistoryWriter>(directory / "history.csv", history_columns(model)))
+{
+  write_text(directory / "case.resolved.toml", resolved_case(c));
+  summary_.elements = static_cast<std::int64_t>(model.membrane.triangles.size());
+  summary_.nodes = static_cast<std::int64_t>(model.mass.size());
+  summary_.added_mass_fraction = model.added_mass_fraction;
+  summary_.step_min_s = summary_.step_max_s = model.first_step;
+}
+
+void Recorder::watch(const System& s, double dt)
+{
+  for (const ContactState& c : s.contacts) penetration_ = std::max(penetration_, c.penetration);
+  for (std::size_t i = 0; i < s.tools.size(); ++i)
+    if (model_.tools[i].motion)
+      summary_.punch_force_max_N =
+          std::max(summary_.punch_force_max_N, std::abs(dot(s.tools[i].reaction, model_.tools[i].direction)));
+  summary_.step_min_s = std::min(summary_.step_min_s, dt);
+  summary_.step_max_s = std::max(summary_.step_max_s, dt);
+}
+
+void Recorder::measure(const System& s)
+{
+  energies_ = energy_account(model_, s);
+  extremes_ = field_extremes(s);
+  draw_in_ = gauge_.measure(model_.blank, s);
+  summary_.steps = s.sheet.step;
+  summary_.simulated_time_s = s.sheet.time;
+  summary_.energy_error = energies_.error();
+  if (s.sheet.time >= 0.5 * case_.time.end)
+    summary_.kinetic_to_internal_max =
+        std::max(summary_.kinetic_to_internal_max, kinetic_to_internal(energies_));
+  summary_.shear_angle_max_deg = extremes_.shear_max * 180.0 / M_PI;
+  summary_.shear_angle_p99_deg = extremes_.shear_p99 * 180.0 / M_PI;
+  summary_.fibre_strain_max = extremes_.strain_max;
+  summary_.fibre_strain_p99 = extremes_.strain_p99;
+  summary_.fibre_strain_over_2_percent = extremes_.strain_over_2_percent;
+  summary_.draw_in_x_mid_mm = 1e3 * draw_in_.x_mid;
+  summary_.draw_in_y_mid_mm = 1e3 * draw_in_.y_mid;
+  summary_.draw_in_corner_mm = 1e3 * draw_in_.corner;
+  summary_.penetration_max_mm = std::max(summary_.penetration_max_mm, 1e3 * penetration_);
+  summary_.energies_J = listed(energies_);
+}
+
+void Recorder::history(const System& s)
+{
+  measure(s);
+  std::vector<double> row{s.sheet.time, static_cast<double>(s.sheet.step), s.sheet.last_dt};
+  for (std::size_t i = 0; i < s.tools.size(); ++i)
+    row.push_back(dot(s.tools[i].reaction, model_.tools[i].direction));
+  for (std::size_t i = 0; i < s.tools.size(); ++i) row.push_back(s.tools[i].displacement);
+  for (const auto& [kind, value] : listed(energies_)) row.push_back(value);
+  row.insert(row.end(),
+             {energies_.error(), kinetic_to_internal(energies_), 1e3 * draw_in_.x_mid, 1e3 * draw_in_.y_mid,
+              1e3 * draw_in_.corner, summary_.shear_angle_max_deg, extremes_.strain_p99, 1e3 * penetration_});
+  history_->append(row);
+  penetration_ = 0.0;
+  check_gates(case_.gates, model_, s, energies_, extremes_, s.sheet.time / case_.time.end,
+              kinetic_to_internal(energies_));
+}
+
+void Recorder::frame(const System& s, Progress& progress)
+{
+  results_->append(make_frame(model_, s));
+  std::string forces;
+  for (std::size_t i = 0; i < s.tools.size(); ++i)
+    if (model_.tools[i].motion)
+      forces += fmt::format("  {} {:.1f} N", model_.tools[i].name,
+                            dot(s.tools[i].reaction, model_.tools[i].direction));
+  progress.line(fmt::format(
+      "t {:7.3f} ms  step {:6d}  dt {:.2f} us  shear max {:4.1f} deg{}  work {:.3f} J  kinetic {:.3f} J  "
+      "energy error {:.2f} %",
+      1e3 * s.sheet.time, s.sheet.step, 1e6 * s.sheet.last_dt, summary_.shear_angle_max_deg, forces,
+      energies_.external, energies_.kinetic, 100.0 * energies_.error()));
+}
+
+void Recorder::last_frame(const System& s, Progress& progress)
+{
+  const bool finite = std::all_of(s.sheet.position.begin(), s.sheet.position.end(), is_finite);
+  progress.line(summary_.message);
+  if (!finite) return; // the frames before are what can be used
+  measure(s);
+  frame(s, progress);
+}
+
+void Recorder::finish()
+{
+  results_->finish(summary_.status == "done" ? "done" : summary_.message);
+  write_summary(directory_, summary_);
+}
+
+} // namespace towform

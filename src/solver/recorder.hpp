@@ -1,0 +1,45 @@
+#pragma once
+#include "solver/energy.hpp"
+#include "solver/measure.hpp"
+#include "solver/model.hpp"
+#include "solver/progress.hpp"
+#include "towform/results.hpp"
+#include <memory>
+
+namespace towform {
+
+/// Writes what a run leaves behind and keeps the figures of its summary.
+class Recorder {
+public:
+  Recorder(const Case& c, const Model& model, const std::filesystem::path& directory);
+
+  /// A row of the history; judges the run against the case's gates (RunStopped).
+  void history(const System& s);
+  /// A frame of the results and a line for the user.
+  void frame(const System& s, Progress& progress);
+  /// Leaves the state of a run that was stopped, as far as it can be written.
+  void last_frame(const System& s, Progress& progress);
+  /// Called after every step, cheap.
+  void watch(const System& s, double dt);
+
+  [[nodiscard]] Summary& summary() { return summary_; }
+  /// Closes the results and writes summary.json.
+  void finish();
+
+private:
+  void measure(const System& s);
+
+  const Case& case_;
+  const Model& model_;
+  std::filesystem::path directory_;
+  DrawInGauge gauge_;
+  std::unique_ptr<ResultsWriter> results_;
+  std::unique_ptr<HistoryWriter> history_;
+  Summary summary_;
+  Energies energies_;
+  FieldExtremes extremes_;
+  DrawIn draw_in_;
+  double penetration_ = 0.0; ///< deepest of any step since the last row [m]
+};
+
+} // namespace towform

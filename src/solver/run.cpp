@@ -1,0 +1,192 @@
+#include "towform/run.hpp"
+#include "element/stable_step.hpp"
+#include "solver/gates.hpp"
+#include "solver/model.hpp"
+#include "solver/progress.hpp"
+#include "solver/recorder.hpp"
+#include "solver/step.hpp"
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fmt/format.h>
+#include <numeric>
+#include <omp.h>
+#include <system_error>
+
+namespace towform {
+
+namespace {
+
+/// When something is written: history rows and frames, each evenly over the run.
+struct Event {
+  double time;
+  bool history, frame;
+};
+
+std::vector<Event> events_of(const Case& c)
+{
+  std::vector<Event> events;
+  const auto add = [&](int count, bool history, bool frame) {
+    for (int i = 1; i <= count; ++i)
+      events.push_back({c.time.end * (static_cast<double>(i) / count), history, frame});
+  };
+  add(c.output.history, true, false);
+  add(c.output.frames, true, true); // a frame always has its row
+  std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
+  std::vector<Event> merged;
+  for (const Event& e : events) {
+    if (!merged.empty() && e.time - merged.back().time < 1e-9 * c.time.end) {
+      merged.back().frame = merged.back().frame || e.frame;
+      continue;
+    }
+    merged.push_back(e);
+  }
+  return merged;
+}
+
+/// The present stable step, never longer than the first.
+double present_step(const Model& model, const System& s)
+{
+  const StableStep stable = stable_step(model.membrane, s.sheet, model.element_mass, model.shear_modulus);
+  const double step = std::min(model.first_step, model.step_factor * stable.step);
+  constexpr double collapse = 0.05;
+  if (!(step > collapse * model.first_step))
+    throw RunStopped(
+        ExitCode::stability_gate,
+        fmt::format(
+            "stopped at t = {:.6g} ms, step {}: the stable step fell from {:.3g} to {:.3g} s at element {}, "
+            "which has collapsed",
+            1e3 * s.sheet.time, s.sheet.step, model.first_step, step, stable.element));
+  return step;
+}
+
+/// Steps evenly up to `time`, looking at the stable step now and then.
+void advance_to(double time, const Model& model, System& s, Recorder& recorder, Phases& phases,
+                Progress& progress, double end)
+{
+  constexpr int steps_between_looks = 100;
+  while (s.sheet.time < time) {
+    const double wanted = present_step(model, s);
+    phases.mark(Phase::stable_step);
+    const auto left = static_cast<std::int64_t>(std::ceil((time - s.sheet.time) / wanted * (1.0 - 1e-9)));
+    const double dt = (time - s.sheet.time) / static_cast<double>(left);
+    for (int i = 0; i < std::min<std::int64_t>(left, steps_between_looks); ++i) {
+      step(model, s, dt, phases);
+      check_motion(model, s);
+      recorder.watch(s, dt);
+    }
+    if (left <= steps_between_looks) s.sheet.time = time;
+    progress.update(s.sheet.time / end);
+  }
+}
+
+std::string headline(const Case& c, const Model& model, int threads)
+{
+  return fmt::format("{}: {} elements, {} nodes, about {:.0f} steps of {:.2f} us, {} thread{}",
+                     c.title.empty() ? "untitled" : c.title, model.membrane.triangles.size(),
+                     model.mass.size(), std::ceil(c.time.end / model.first_step), 1e6 * model.first_step,
+                     threads, threads == 1 ? "" : "s");
+}
+
+std::string closing(const Summary& s, const std::filesystem::path& directory)
+{
+  std::string phases;
+  for (const auto& [name, seconds] : s.phases_s) phases += fmt::format("  {} {:.2f}", name, seconds);
+  return fmt::format(
+      "{} in {:.2f} s: {} steps, {:.1f} ns per element-step (s:{})\n"
+      "shear max {:.1f} deg, draw-in {:.1f} / {:.1f} / {:.1f} mm (x / y / corner), punch {:.1f} N, "
+      "energy error {:.2f} %, penetration {:.3f} mm, yarn strain p99 {:.2f} %\n"
+      "wrote {}",
+      s.status, s.wall_time_s, s.steps, s.ns_per_element_step, phases, s.shear_angle_max_deg,
+      s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm, s.punch_force_max_N,
+      100.0 * s.energy_error, s.penetration_max_mm, 100.0 * s.fibre_strain_p99,
+      (directory / "results.h5, results.xdmf, history.csv, summary.json").string());
+}
+
+void make_directory(const std::filesystem::path& directory)
+{
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error || !std::filesystem::is_directory(directory))
+    throw FileError(fmt::format("{}: cannot be made a directory ({})", directory.string(),
+                                error ? error.message() : "a file is in its place"));
+}
+
+} // namespace
+
+RunOutcome run(const Case& c, const RunOptions& options)
+{
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  const auto start_of_all = std::chrono::steady_clock::now();
+  const Model model = build_model(c);
+  make_directory(options.directory);
+  Recorder recorder(c, model, options.directory);
+  Progress progress(options.quiet);
+  System s = start(model);
+  Summary& summary = recorder.summary();
+  summary.threads = omp_get_max_threads();
+  progress.line(headline(c, model, summary.threads));
+
+  RunOutcome outcome;
+  Phases phases;
+  try {
+    recorder.history(s);
+    recorder.frame(s, progress);
+    phases.mark(Phase::output);
+    for (const Event& event : events_of(c)) {
+      advance_to(event.time, model, s, recorder, phases, progress, c.time.end);
+      recorder.history(s);
+      if (event.frame) recorder.frame(s, progress);
+      phases.mark(Phase::output);
+    }
+    summary.status = "done";
+  } catch (const RunStopped& stop) {
+    outcome.code = stop.code();
+    summary.status = "stopped";
+    summary.message = stop.what();
+    summary.steps = s.sheet.step;
+    summary.simulated_time_s = s.sheet.time;
+    recorder.last_frame(s, progress);
+  }
+
+  double stepping = 0.0;
+  for (std::size_t i = 0; i < phase_names.size(); ++i) {
+    const double seconds = phases.seconds(static_cast<Phase>(i));
+    summary.phases_s.emplace_back(phase_names[i], seconds);
+    if (static_cast<Phase>(i) != Phase::output) stepping += seconds;
+  }
+  summary.wall_time_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_of_all).count();
+  const double element_steps = static_cast<double>(summary.elements) * static_cast<double>(s.sheet.step);
+  summary.ns_per_element_step = element_steps > 0.0 ? 1e9 * stepping / element_steps : 0.0;
+  recorder.finish();
+  progress.line(closing(summary, options.directory));
+  outcome.summary = summary;
+  return outcome;
+}
+
+std::string describe_run(const Case& c)
+{
+  const Model model = build_model(c);
+  std::string text = headline(c, model, omp_get_max_threads()) + '\n';
+  text += fmt::format(
+      "sheet {:.1f} g, added by mass scaling {:.2f} %; warp at {:.1f} deg, curves fit to {:.2f} %\n",
+      1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
+      100.0 * model.added_mass_fraction, std::atan2(model.blank.warp.y, model.blank.warp.x) * 180.0 / M_PI,
+      100.0 * model.material.curves->fit_error);
+  for (std::size_t i = 0; i < model.tools.size(); ++i) {
+    const Tool& tool = model.tools[i];
+    const Vec3 low = tool.surface.lowest(), high = tool.surface.highest();
+    const std::string drive =
+        tool.force    ? fmt::format("pushed with {} N, {} kg", *tool.force, tool.mass)
+        : tool.motion ? fmt::format("moves {:.4g} mm by the end", 1e3 * tool.motion->displacement(c.time.end))
+                      : "stands";
+    text += fmt::format("tool '{}': {} facets, x {:.1f} to {:.1f}, y {:.1f} to {:.1f}, z {:.1f} to {:.1f} "
+                        "mm, friction {}, {}\n",
+                        tool.name, tool.surface.mesh().triangles.size(), 1e3 * low.x, 1e3 * high.x,
+                        1e3 * low.y, 1e3 * high.y, 1e3 * low.z, 1e3 * high.z, tool.friction, drive);
+  }
+  return text;
+}
+
+} // namespace towform

@@ -1,0 +1,73 @@
+#include "solver/step.hpp"
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace towform {
+
+namespace {
+
+/// v_(n+1/2) from the forces at x_n, then x_(n+1). Returns the largest nodal speed; infinite once one is not
+/// finite.
+double advance_sheet(const Model& model, State& s, double dt)
+{
+  const auto nodes = static_cast<std::ptrdiff_t>(s.position.size());
+  const double kick = 0.5 * (s.last_dt + dt);
+  const double drag = 0.5 * model.mass_damping * kick;
+  double fastest_squared = 0.0;
+#pragma omp parallel for schedule(static) reduction(max : fastest_squared)
+  for (std::ptrdiff_t n = 0; n < nodes; ++n) {
+    const Vec3 before = s.velocity[n];
+    const Vec3 after = (1.0 / (1.0 + drag)) * ((1.0 - drag) * before + (kick / model.mass[n]) * s.force[n]);
+    if (drag > 0.0)
+      s.mass_damping[n] += model.mass_damping * model.mass[n] * 0.25 * norm_squared(before + after) * kick;
+    s.velocity[n] = after;
+    s.position[n] += dt * after;
+    const double squared = norm_squared(after);
+    fastest_squared = std::max(fastest_squared, std::isfinite(squared) ? squared : HUGE_VAL);
+  }
+  s.time += dt;
+  s.last_dt = dt;
+  ++s.step;
+  return std::sqrt(fastest_squared);
+}
+
+/// Nodes on a mirror plane stay on it.
+void hold_on_mirrors(const Blank& blank, State& s)
+{
+  for (const int n : blank.mirror_x) s.force[n].x = 0.0;
+  for (const int n : blank.mirror_y) s.force[n].y = 0.0;
+}
+
+} // namespace
+
+void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
+{
+  membrane_forces(model.membrane, s.sheet, dt);
+  phases.mark(Phase::membrane);
+  assemble(model.membrane.corners, s.sheet.corner_force, s.sheet.force);
+  phases.mark(Phase::assembly);
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const Contact& contact = model.contacts[i];
+    ToolState& tool = s.tools[contact.tool];
+    contact_forces(contact, model.tools[contact.tool], tool, s.contacts[i], s.sheet, dt, s.fastest);
+    tool.reaction *= model.mirror_factor;
+  }
+  hold_on_mirrors(model.blank, s.sheet);
+  phases.mark(Phase::contact);
+}
+
+void step(const Model& model, System& s, double dt, Phases& phases)
+{
+  const double time = s.sheet.time, kick = 0.5 * (s.sheet.last_dt + dt);
+  s.fastest = advance_sheet(model, s.sheet, dt);
+  const std::vector<ToolState> before = s.tools;
+  for (std::size_t i = 0; i < model.tools.size(); ++i) advance(model.tools[i], s.tools[i], time, dt, kick);
+  phases.mark(Phase::advance);
+  evaluate_forces(model, s, dt, phases);
+  for (std::size_t i = 0; i < model.tools.size(); ++i)
+    account_work(model.tools[i], s.tools[i], before[i].reaction,
+                 s.tools[i].displacement - before[i].displacement);
+}
+
+} // namespace towform
