@@ -8,7 +8,7 @@ namespace towform {
 namespace {
 
 // Grid points nearer to a side than this, in cell edges, make way for those on the side.
-constexpr double clearance = 0.45;
+constexpr double clearance = 0.65;
 
 /// Corners of the cells; with `cross` their centres too, on a staggered lattice of half the gap, where rows
 /// of corners are even and rows of centres odd.
