@@ -22,6 +22,20 @@ int divisions(double length, double edge)
   return std::max(1, static_cast<int>(std::lround(length / edge)));
 }
 
+/// Points between a and b, on a line through the origin, at multiples of the gap from there.
+void divide_mirror(std::vector<Vec2>& points, Vec2 a, Vec2 b, double gap)
+{
+  const bool along_x = a.y == b.y;
+  const double from = along_x ? a.x : a.y, to = along_x ? b.x : b.y, sign = from < to ? 1.0 : -1.0;
+  const double shortest = 0.65; // between the last of them and the end of the line, in gaps
+  const int first = static_cast<int>(std::ceil(sign * from / gap + shortest));
+  const int last = static_cast<int>(std::floor(sign * to / gap - shortest));
+  for (int k = first; k <= last; ++k) {
+    const double at = sign * k * gap + 0.0; // no negative zero
+    points.push_back(along_x ? Vec2{at, a.y} : Vec2{a.x, at});
+  }
+}
+
 } // namespace
 
 Vec2 lattice_point(const Lattice& lattice, int column, int row)
@@ -57,15 +71,21 @@ std::vector<LatticeRow> lattice_rows(const Lattice& lattice, const Rectangle& in
   return rows;
 }
 
-std::vector<Vec2> divided_sides(const Rectangle& rectangle, double edge)
+std::vector<Vec2> divided_sides(const Rectangle& rectangle, const Division& division)
 {
   const auto& [low, high] = rectangle;
   const Vec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
   std::vector<Vec2> points;
   for (int side = 0; side < 4; ++side) {
     const Vec2 &a = corners[side], &b = corners[(side + 1) % 4];
-    const int n = divisions(std::abs(b.x - a.x) + std::abs(b.y - a.y), edge);
-    for (int k = 0; k < n; ++k) {
+    points.push_back(a);
+    const bool mirror = (a.x == 0.0 && b.x == 0.0) || (a.y == 0.0 && b.y == 0.0);
+    if (mirror && division.mirror_gap > 0.0) {
+      divide_mirror(points, a, b, division.mirror_gap);
+      continue;
+    }
+    const int n = divisions(std::abs(b.x - a.x) + std::abs(b.y - a.y), division.edge);
+    for (int k = 1; k < n; ++k) {
       points.push_back({a.x + (b.x - a.x) * k / n, a.y + (b.y - a.y) * k / n}); // exact where a.x == b.x
     }
   }
@@ -78,14 +98,22 @@ Rectangle shrunk(const Rectangle& rectangle, double clearance)
   return {{low.x + clearance, low.y + clearance}, {high.x - clearance, high.y - clearance}};
 }
 
-std::int64_t count_triangles(const Lattice& lattice, const Rectangle& rectangle, double edge,
-                             double clearance)
+std::int64_t count_triangles(const Lattice& lattice, const Rectangle& rectangle, const Division& division)
 {
   std::int64_t inside = 0;
-  for (const LatticeRow& row : lattice_rows(lattice, shrunk(rectangle, clearance))) inside += row.count;
-  const auto& [low, high] = rectangle;
-  const std::int64_t sides = 2 * (divisions(high.x - low.x, edge) + divisions(high.y - low.y, edge));
+  for (const LatticeRow& row : lattice_rows(lattice, shrunk(rectangle, division.clearance)))
+    inside += row.count;
+  const auto sides = static_cast<std::int64_t>(divided_sides(rectangle, division).size());
   return 2 * inside + sides - 2; // Euler's formula
+}
+
+SurfaceMesh flat_mesh(const std::vector<Vec2>& points, std::vector<Triangle> triangles)
+{
+  SurfaceMesh mesh;
+  mesh.points.reserve(points.size());
+  for (const Vec2& p : points) mesh.points.push_back({p.x, p.y, 0.0});
+  mesh.triangles = std::move(triangles);
+  return mesh;
 }
 
 double edge_for_count(double wanted, double estimate, const std::function<std::int64_t(double)>& count)

@@ -27,12 +27,21 @@ struct LatticeRow {
 std::vector<LatticeRow> lattice_rows(const Lattice& lattice, const Rectangle& inside);
 Vec2 lattice_point(const Lattice& lattice, int column, int row);
 
-/// Points on the sides, counter-clockwise from the lower left corner, evenly spaced, about `edge` apart.
-std::vector<Vec2> divided_sides(const Rectangle& rectangle, double edge);
+/// How the points of a lattice and those of the sides share the rectangle.
+struct Division {
+  double edge = 1.0;       ///< wanted between points of a side [m]
+  double clearance = 0.0;  ///< least distance of a lattice point from the sides [m]
+  double mirror_gap = 0.0; ///< if not 0, sides through the origin have points at its multiples instead [m]
+};
 
-/// Triangles of any triangulation of the divided sides and the lattice points at least `clearance` inside.
-std::int64_t count_triangles(const Lattice& lattice, const Rectangle& rectangle, double edge,
-                             double clearance);
+/// Points on the sides, counter-clockwise from the lower left corner, each side evenly divided.
+std::vector<Vec2> divided_sides(const Rectangle& rectangle, const Division& division);
+
+/// Triangles of any triangulation of the divided sides and the lattice points inside them.
+std::int64_t count_triangles(const Lattice& lattice, const Rectangle& rectangle, const Division& division);
+
+/// A mesh in the plane z = 0.
+SurfaceMesh flat_mesh(const std::vector<Vec2>& points, std::vector<Triangle> triangles);
 
 /// The rectangle made smaller by `clearance` on every side; may be empty (low above high).
 Rectangle shrunk(const Rectangle& rectangle, double clearance);

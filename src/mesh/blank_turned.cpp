@@ -2,7 +2,10 @@
 #include "mesh/blank_lattice.hpp"
 #include "mesh/delaunay.hpp"
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <optional>
 
 namespace towform {
 namespace {
@@ -16,6 +19,16 @@ Lattice lattice_of(double edge, double angle, Pattern pattern)
 {
   if (pattern == Pattern::cross) return {angle, 0.5 * edge, 0.5 * edge, true};
   return {angle, edge, edge, false};
+}
+
+/// At 45 degrees the grid is its own mirror image: the modelled part then has the grid's points on its mirror
+/// planes, where the diagonals of cells lie.
+Division division_of(double edge, double angle, Pattern pattern)
+{
+  const double right_angle = 0.5 * std::numbers::pi;
+  const bool diagonal = std::abs(std::remainder(angle - 0.5 * right_angle, right_angle)) < 1e-9;
+  const double gap = (pattern == Pattern::cross ? std::numbers::sqrt2 / 2 : std::numbers::sqrt2) * edge;
+  return {edge, clearance * edge, diagonal ? gap : 0.0};
 }
 
 struct Key {
@@ -38,10 +51,21 @@ bool is_pattern_edge(Key a, Key b, Pattern pattern)
          rising == rising_diagonal(std::min(a.column, b.column), std::min(a.row, b.row));
 }
 
+/// The lattice point that lies at p, if any does.
+std::optional<Key> key_at(const Vec2& p, const Lattice& lattice)
+{
+  const double c = std::cos(lattice.angle), s = std::sin(lattice.angle);
+  const Key key{static_cast<int>(std::lround((p.x * c + p.y * s) / lattice.column_gap)),
+                static_cast<int>(std::lround((p.y * c - p.x * s) / lattice.row_gap))};
+  const Vec2 q = lattice_point(lattice, key.column, key.row);
+  const bool exists = !lattice.staggered || (key.column - key.row) % 2 == 0;
+  if (!exists || std::hypot(p.x - q.x, p.y - q.y) > 1e-6 * lattice.row_gap) return {};
+  return key;
+}
+
 /// Four lattice points of a cell lie on a circle, and rounding alone has chosen the diagonal between them:
 /// puts the pattern's in its place. A triangle has one such side at most, so no flip hinders another.
-/// Points before `sides` are not of the lattice.
-void restore_pattern(Triangulation& mesh, const std::vector<Key>& keys, int sides, Pattern pattern)
+void restore_pattern(Triangulation& mesh, const std::vector<std::optional<Key>>& keys, Pattern pattern)
 {
   std::vector<bool> done(mesh.triangles.size());
   const int count = static_cast<int>(mesh.triangles.size());
@@ -53,9 +77,9 @@ void restore_pattern(Triangulation& mesh, const std::vector<Key>& keys, int side
       const Triangle& back = mesh.neighbours[n];
       const int p = here[k], a = here[(k + 1) % 3], b = here[(k + 2) % 3];
       const int q = there[std::find(back.begin(), back.end(), t) - back.begin()];
-      if (std::min({p, q, a, b}) < sides) continue;
-      const Key &kp = keys[p - sides], &kq = keys[q - sides], &ka = keys[a - sides], &kb = keys[b - sides];
-      if (kp + kq == ka + kb && !is_pattern_edge(ka, kb, pattern) && is_pattern_edge(kp, kq, pattern)) {
+      if (!(keys[p] && keys[q] && keys[a] && keys[b])) continue;
+      if (*keys[p] + *keys[q] == *keys[a] + *keys[b] && !is_pattern_edge(*keys[a], *keys[b], pattern) &&
+          is_pattern_edge(*keys[p], *keys[q], pattern)) {
         here = {p, a, q};
         there = {p, q, b};
         done[t] = done[n] = true;
@@ -68,29 +92,25 @@ void restore_pattern(Triangulation& mesh, const std::vector<Key>& keys, int side
 
 SurfaceMesh turned_grid(const Rectangle& rectangle, double edge, double angle, Pattern pattern)
 {
-  std::vector<Vec2> points = divided_sides(rectangle, edge);
-  const int sides = static_cast<int>(points.size());
   const Lattice lattice = lattice_of(edge, angle, pattern);
-  std::vector<Key> keys;
+  std::vector<Vec2> points = divided_sides(rectangle, division_of(edge, angle, pattern));
+  std::vector<std::optional<Key>> keys;
+  for (const Vec2& p : points) keys.push_back(key_at(p, lattice));
   for (const LatticeRow& row : lattice_rows(lattice, shrunk(rectangle, clearance * edge))) {
     for (int k = 0; k < row.count; ++k) {
-      keys.push_back({row.first + k * row.step, row.row});
-      points.push_back(lattice_point(lattice, keys.back().column, keys.back().row));
+      const int column = row.first + k * row.step;
+      keys.push_back(Key{column, row.row});
+      points.push_back(lattice_point(lattice, column, row.row));
     }
   }
   Triangulation triangulation = delaunay(points);
-  restore_pattern(triangulation, keys, sides, pattern);
-
-  SurfaceMesh mesh;
-  mesh.points.reserve(points.size());
-  for (const Vec2& p : points) mesh.points.push_back({p.x, p.y, 0.0});
-  mesh.triangles = std::move(triangulation.triangles);
-  return mesh;
+  restore_pattern(triangulation, keys, pattern);
+  return flat_mesh(points, std::move(triangulation.triangles));
 }
 
 std::int64_t count_turned_grid(const Rectangle& rectangle, double edge, double angle, Pattern pattern)
 {
-  return count_triangles(lattice_of(edge, angle, pattern), rectangle, edge, clearance * edge);
+  return count_triangles(lattice_of(edge, angle, pattern), rectangle, division_of(edge, angle, pattern));
 }
 
 } // namespace towform

@@ -65,7 +65,7 @@ void smooth(std::vector<Vec2>& points, int sides, const Rectangle& inside,
 
 SurfaceMesh unstructured_mesh(const Rectangle& rectangle, double edge)
 {
-  std::vector<Vec2> points = divided_sides(rectangle, edge);
+  std::vector<Vec2> points = divided_sides(rectangle, {edge});
   const int sides = static_cast<int>(points.size());
   const Lattice lattice = lattice_of(edge);
   const Rectangle inside = shrunk(rectangle, clearance * edge);
@@ -84,16 +84,12 @@ SurfaceMesh unstructured_mesh(const Rectangle& rectangle, double edge)
     for (int sweep = 0; sweep < sweeps; ++sweep) smooth(points, sides, limits, triangles);
     triangles = delaunay(points).triangles;
   }
-  SurfaceMesh mesh;
-  mesh.points.reserve(points.size());
-  for (const Vec2& p : points) mesh.points.push_back({p.x, p.y, 0.0});
-  mesh.triangles = std::move(triangles);
-  return mesh;
+  return flat_mesh(points, std::move(triangles));
 }
 
 std::int64_t count_unstructured_mesh(const Rectangle& rectangle, double edge)
 {
-  return count_triangles(lattice_of(edge), rectangle, edge, clearance * edge);
+  return count_triangles(lattice_of(edge), rectangle, {edge, clearance * edge});
 }
 
 } // namespace towform
