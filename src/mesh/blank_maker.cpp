@@ -1,0 +1,130 @@
+#include "mesh/blank_grid.hpp"
+#include "mesh/blank_lattice.hpp"
+#include "mesh/renumber.hpp"
+#include "towform/blank.hpp"
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <stdexcept>
+
+namespace towform {
+namespace {
+
+constexpr double element_limit = 20e6;
+constexpr double aspect_limit = 1e4;     // beyond it the points of the short side merge when rounded
+constexpr double angle_tolerance = 1e-9; // rad
+constexpr double right_angle = 0.5 * std::numbers::pi;
+
+template <class... Values>
+void require(bool fine, fmt::format_string<Values...> message, Values&&... values)
+{
+  if (!fine) throw std::invalid_argument(fmt::format(message, std::forward<Values>(values)...));
+}
+
+bool is_multiple(double angle, double unit)
+{
+  return std::abs(std::remainder(angle, unit)) <= angle_tolerance;
+}
+
+double approximate_count(const BlankParameters& b)
+{
+  if (b.elements) return *b.elements;
+  const double cell = *b.edge * *b.edge * (b.pattern == Pattern::unstructured ? std::sqrt(0.75) : 1.0);
+  return triangles_per_cell(b.pattern) * (b.size.x / *b.edge) * (b.size.y / *b.edge) *
+         (*b.edge * *b.edge / cell);
+}
+
+void validate(const BlankParameters& b)
+{
+  const auto positive = [](double v) { return std::isfinite(v) && v > 0.0; };
+  require(positive(b.size.x) && positive(b.size.y),
+          "both sides of the blank must be positive lengths; they are {} m and {} m", b.size.x, b.size.y);
+  const double aspect = std::max(b.size.x / b.size.y, b.size.y / b.size.x);
+  require(aspect <= aspect_limit, "the blank is {:g} times as long as it is wide; {:g} times is the limit",
+          aspect, aspect_limit);
+  require(!(b.elements && b.edge), "the blank has both a number of elements and an edge; give one of them");
+  require(b.elements || b.edge, "the blank has no mesh size; give the number of elements or the edge");
+  require(!b.elements || *b.elements >= 2, "a blank needs at least 2 elements; {} were asked for",
+          b.elements.value_or(0));
+  require(!b.edge || positive(*b.edge),
+          "the edge of the blank's elements must be a positive length; it is {} m", b.edge.value_or(0.0));
+  require(approximate_count(b) <= element_limit,
+          "the blank would have {:.3g} elements; the limit is {:.3g}: ask for fewer or for longer edges",
+          approximate_count(b), element_limit);
+  require(std::isfinite(b.fibre_angle) && std::isfinite(b.mesh_angle),
+          "the fibre angle and the mesh angle of the blank must be finite");
+  require(std::isfinite(b.thickness) && b.thickness >= 0.0,
+          "the thickness of the blank must be a positive length; it is {} m", b.thickness);
+  require(b.symmetry == Symmetry::none || is_multiple(b.fibre_angle, 0.5 * right_angle),
+          "a blank with symmetry needs a fibre angle of 0, 45 or 90 degrees, not {:.6g}: its yarns are not "
+          "their own "
+          "mirror image; mesh the whole blank",
+          b.fibre_angle * 180.0 / std::numbers::pi);
+}
+
+/// Cosine and sine, exact at multiples of 90 degrees.
+Vec3 direction(double angle)
+{
+  if (!is_multiple(angle, right_angle)) return {std::cos(angle), std::sin(angle), 0.0};
+  constexpr Vec3 exact[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}};
+  const double quarters = std::remainder(std::round(angle / right_angle), 4.0); // -2 … 2
+  return exact[(static_cast<int>(quarters) + 4) % 4];
+}
+
+SurfaceMesh mesh_along_sides(const BlankParameters& b)
+{
+  const GridCounts counts =
+      b.elements ? grid_for_elements(b.size, *b.elements, b.pattern) : grid_for_edge(b.size, *b.edge);
+  return aligned_grid(b.size, counts, b.pattern, b.symmetry);
+}
+
+SurfaceMesh mesh_in_part(const BlankParameters& b)
+{
+  Rectangle part{{-0.5 * b.size.x, -0.5 * b.size.y}, {0.5 * b.size.x, 0.5 * b.size.y}};
+  double share = 1.0;
+  if (b.symmetry == Symmetry::x || b.symmetry == Symmetry::quarter) {
+    part.low.x = 0.0;
+    share *= 0.5;
+  }
+  if (b.symmetry == Symmetry::y || b.symmetry == Symmetry::quarter) {
+    part.low.y = 0.0;
+    share *= 0.5;
+  }
+  const bool grid = b.pattern != Pattern::unstructured;
+  const double angle = b.fibre_angle + b.mesh_angle;
+  const auto count = [&](double edge) {
+    return grid ? count_turned_grid(part, edge, angle, b.pattern) : count_unstructured_mesh(part, edge);
+  };
+  const double edge =
+      b.edge ? *b.edge
+             : edge_for_count(share * *b.elements,
+                              std::sqrt(triangles_per_cell(b.pattern) * b.size.x * b.size.y / *b.elements),
+                              count);
+  return grid ? turned_grid(part, edge, angle, b.pattern) : unstructured_mesh(part, edge);
+}
+
+} // namespace
+
+Blank make_blank(const BlankParameters& parameters)
+{
+  validate(parameters);
+  const bool aligned = parameters.pattern != Pattern::unstructured &&
+                       is_multiple(parameters.fibre_angle + parameters.mesh_angle, right_angle);
+  Blank blank;
+  blank.mesh = aligned ? mesh_along_sides(parameters) : mesh_in_part(parameters);
+  renumber(blank.mesh);
+  blank.warp = direction(parameters.fibre_angle);
+  blank.weft = {0.0 - blank.warp.y, blank.warp.x, 0.0};
+  blank.thickness = parameters.thickness;
+
+  const bool at_x = parameters.symmetry == Symmetry::x || parameters.symmetry == Symmetry::quarter;
+  const bool at_y = parameters.symmetry == Symmetry::y || parameters.symmetry == Symmetry::quarter;
+  const int nodes = static_cast<int>(blank.mesh.points.size());
+  for (int node = 0; node < nodes; ++node) {
+    if (at_x && blank.mesh.points[node].x == 0.0) blank.mirror_x.push_back(node);
+    if (at_y && blank.mesh.points[node].y == 0.0) blank.mirror_y.push_back(node);
+  }
+  return blank;
+}
+
+} // namespace towform
