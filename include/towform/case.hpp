@@ -63,7 +63,7 @@ struct Case {
   ContactParameters contact;
   GateParameters gates;
   OutputParameters output;
-  std::map<std::string, SourceLocation> locations; ///< of every key given, as "blank.size", "tool[1].mesh"
+  std::map<std::string, SourceLocation> locations; ///< of every key given, as "blank.size", "tool[0].mesh"
 
   /// Where a key was given; where its table or the file is when it was not.
   [[nodiscard]] SourceLocation where(const std::string& key) const;

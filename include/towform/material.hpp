@@ -1,5 +1,6 @@
 #pragma once
 #include "towform/energy_model.hpp"
+#include <filesystem>
 #include <string>
 
 namespace towform {
@@ -12,7 +13,8 @@ enum class CurveSelection { next_higher, interpolate };
 
 /// Everything a case says about the sheet's material.
 struct MaterialParameters {
-  std::string card; ///< name of the card, or empty
+  std::string card;                ///< name of a card that towform brings, path of any other; empty without
+  std::filesystem::path card_file; ///< where it was found
   Constituents constituents;
   double temperature = 0.0; ///< of the sheet [K]
   LawKind law = LawKind::viscous;

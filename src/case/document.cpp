@@ -1,0 +1,156 @@
+#include "document.hpp"
+#include "units.hpp"
+#include <algorithm>
+#include <fmt/format.h>
+#include <regex>
+#include <toml++/toml.h> // heavy: nowhere else
+
+namespace towform {
+
+namespace {
+
+SourceLocation location(const toml::source_region& region, const std::string& file)
+{
+  return {file, static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+Value converted(const toml::node& node, const std::string& file)
+{
+  Value value;
+  value.where = value.key_where = location(node.source(), file);
+  if (const toml::table* table = node.as_table()) {
+    value.kind = Value::Kind::table;
+    for (const auto& [key, item] : *table) {
+      value.items.push_back(converted(item, file));
+      value.items.back().key = std::string(key.str());
+      value.items.back().key_where = location(key.source(), file);
+    }
+  } else if (const toml::array* list = node.as_array()) {
+    value.kind = Value::Kind::list;
+    for (const toml::node& item : *list) value.items.push_back(converted(item, file));
+  } else if (const auto* text = node.as_string()) {
+    value.kind = Value::Kind::text;
+    value.text = text->get();
+  } else if (const auto* integer = node.as_integer()) {
+    value.kind = Value::Kind::integer;
+    value.integer = integer->get();
+  } else if (const auto* number = node.as_floating_point()) {
+    value.kind = Value::Kind::number;
+    value.number = number->get();
+  } else if (const auto* boolean = node.as_boolean()) {
+    value.kind = Value::Kind::boolean;
+    value.boolean = boolean->get();
+  } else {
+    value.kind = Value::Kind::date;
+  }
+  return value;
+}
+
+void move_to(Value& value, const SourceLocation& where)
+{
+  value.where = value.key_where = where;
+  for (Value& item : value.items) move_to(item, where);
+}
+
+/// The commonest slip in a case file: a unit outside quotes.
+std::string hint_on(const std::string& text, std::size_t line_number)
+{
+  std::size_t start = 0;
+  for (std::size_t line = 1; line < line_number; ++line) {
+    start = text.find('\n', start);
+    if (start == std::string::npos) return "";
+    ++start;
+  }
+  const std::string line = text.substr(start, std::min(text.find('\n', start) - start, std::size_t{200}));
+  static const std::regex bare_unit(R"([=\[,]\s*([-+]?[0-9][0-9.]*)\s*([A-Za-z%][A-Za-z/]*))");
+  std::smatch found;
+  if (!std::regex_search(line, found, bare_unit)) return "";
+  return fmt::format("; a value with a unit is written in quotes: \"{} {}\"", found[1].str(), found[2].str());
+}
+
+} // namespace
+
+const Value* Value::find(const std::string& name) const
+{
+  if (!is_table()) return nullptr;
+  const auto found = std::find_if(items.begin(), items.end(), [&](const Value& v) { return v.key == name; });
+  return found == items.end() ? nullptr : &*found;
+}
+
+Value* Value::find(const std::string& name)
+{
+  return const_cast<Value*>(static_cast<const Value*>(this)->find(name));
+}
+
+std::string Value::shown() const
+{
+  switch (kind) {
+  case Kind::text:
+    return text.size() <= 40 ? in_quotes(text) : in_quotes(text.substr(0, 37) + "...");
+  case Kind::integer:
+    return fmt::format("{}", integer);
+  case Kind::number:
+    return written(number, Dimension::none);
+  case Kind::boolean:
+    return boolean ? "true" : "false";
+  case Kind::date:
+    return "a date";
+  case Kind::list:
+    return fmt::format("a list of {}", items.size());
+  case Kind::table:
+    return "a table";
+  }
+  return "";
+}
+
+Value parse_document(const std::string& text, const std::string& file)
+{
+  try {
+    return converted(toml::parse(std::string_view(text)), file);
+  } catch (const toml::parse_error& error) {
+    std::string message(error.description());
+    for (const std::string& prefix : {std::string("Error while parsing "), std::string("key-value pair: ")}) {
+      if (message.starts_with(prefix)) message.erase(0, prefix.size());
+    }
+    // What the parser says of a string that goes on to the end of its line.
+    if (message.find("control characters") != std::string::npos && message.starts_with("string"))
+      message += "; is a closing quote missing?";
+    const SourceLocation where = location(error.source(), file);
+    throw InputError({{where, "not TOML: " + message + hint_on(text, static_cast<std::size_t>(where.line))}});
+  }
+}
+
+Value parse_value(const std::string& text, const SourceLocation& where)
+{
+  Value value;
+  value.kind = Value::Kind::text;
+  value.text = text;
+  try {
+    const toml::table document = toml::parse("value = " + text);
+    // More keys mean that the text went on after a line's end: it was not one value.
+    if (document.size() == 1 && document.contains("value"))
+      value = converted(*document.get("value"), where.file);
+  } catch (const toml::parse_error&) {
+    // Plain text, such as a quantity without its quotes.
+  }
+  move_to(value, where);
+  return value;
+}
+
+std::string in_quotes(const std::string& text)
+{
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      result += {'\\', c};
+    else if (c == '\n')
+      result += "\\n";
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      result += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    else
+      result += c;
+  }
+  return result + '"';
+}
+
+} // namespace towform

@@ -1,0 +1,132 @@
+#include "key_table.hpp"
+#include <algorithm>
+
+namespace towform {
+
+std::string Row::section() const
+{
+  const std::size_t dot = path.find('.');
+  return dot == std::string::npos ? "" : path.substr(0, dot);
+}
+
+std::string Row::name() const { return path.substr(path.rfind('.') + 1); }
+
+const Row& row_of(const std::string& path)
+{
+  const std::vector<Row>& rows = key_table();
+  return *std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.path == path; });
+}
+
+namespace {
+
+/// Words for the enumerators of E, in their order.
+template <class F>
+Words words(F at, std::vector<std::string> names)
+{
+  using E = std::remove_reference_t<decltype(at(std::declval<Target&>()))>;
+  return {std::move(names), [at](Target& t) { return static_cast<int>(at(t)); },
+          [at](Target& t, int place) { at(t) = static_cast<E>(place); }};
+}
+
+/// A word that says the only thing there is to say, so far.
+Words only_word(const std::string& name)
+{
+  return {{name}, [](Target&) { return 0; }, [](Target&, int) {}};
+}
+
+using D = Dimension;
+
+// A member of the target as a function, so that one row is one line.
+#define AT(member)                                                                                           \
+  [](Target & t) -> auto& { return t.member; }
+
+// clang-format off
+std::vector<Row> all_rows()
+{
+  const std::vector<std::string> axes{"x", "y", "z"};
+  return {
+    {"title", AT(c.title), D::none, "\"\"", "", "shown in results and reports"},
+
+    {"blank.size", AT(c.blank.size), D::length, required, "> 0", "whole blank along x and y, centred on the origin"},
+    {"blank.elements", AT(c.blank.elements), D::none, optional, "2 .. 20000000", "wanted number of triangles of the whole blank; this or edge"},
+    {"blank.edge", AT(c.blank.edge), D::length, optional, "> 0", "wanted edge of the grid's squares; this or elements"},
+    {"blank.fibre_angle", AT(c.blank.fibre_angle), D::angle, "0 deg", "", "warp against x"},
+    {"blank.mesh_angle", AT(c.blank.mesh_angle), D::angle, "0 deg", "", "grid lines against the warp"},
+    {"blank.pattern", words(AT(c.blank.pattern), {"cross", "diagonal", "unstructured"}), D::none, "diagonal", "", "how squares become triangles; unstructured has no grid"},
+    {"blank.thickness", AT(c.blank.thickness), D::length, required, "1 um .. 0.1 m", "of the whole sheet at the start"},
+    {"blank.symmetry", words(AT(c.blank.symmetry), {"none", "x", "y", "quarter"}), D::none, "none", "", "x models the half x >= 0, y the half y >= 0, quarter both"},
+
+    {"material.card", AT(c.material.card), D::none, optional, "", "gives the keys of this table that the case does not: a name in a folder cards, or a path ending in .toml"},
+    {"material.law", words(AT(c.material.law), {"viscous", "incremental", "elastic"}), D::none, "viscous", "", "how the shear force follows the angle and its rate"},
+    {"material.curve_selection", words(AT(c.material.curve_selection), {"next_higher", "interpolate"}), D::none, "next_higher", "", "which curve the incremental law follows"},
+    {"material.velocity_scale", AT(c.material.velocity_scale), D::none, "1", "> 0", "factor on the rate where a curve is chosen, nowhere else"},
+    {"material.temperature", AT(c.material.temperature), D::temperature, required, "200 K .. 1000 K", "of the sheet"},
+    {"material.curve_rate_min", AT(c.material.curve_rate_min), D::angular_rate, "1 rad/s", "> 0", "rate of the first curve"},
+    {"material.curve_rate_max", AT(c.material.curve_rate_max), D::angular_rate, "20 rad/s", "> 0", "rate of the last curve"},
+    {"material.curve_count", AT(c.material.curve_count), D::none, "20", "1 .. 1000", "curves, in equal increments of rate"},
+    {"material.elastic_rate", AT(c.material.elastic_rate), D::angular_rate, "10 rad/s", "> 0", "rate of the curve that the elastic law follows"},
+    {"material.fibre_modulus", AT(c.material.fibre_modulus), D::pressure, required, "> 0", "of one yarn direction, over the whole thickness"},
+    {"material.compression_factor", AT(c.material.compression_factor), D::none, "0.1", "0 .. 1", "yarn stiffness in compression over that in tension"},
+    {"material.yarn_damping", AT(c.material.yarn_damping), D::none, "0.05", "0 .. 1", "along the yarns, fraction of critical"},
+    {"material.relaxation_ratio", AT(c.material.relaxation_ratio), D::none, "0.1", "1e-4 .. 1", "shear modulus of the viscous law over the yarn stiffness"},
+    {"material.fibre_volume_fraction", AT(c.material.constituents.fibre_volume_fraction), D::none, required, "> 0, <= 0.9", "of the composite"},
+    {"material.tow_width", AT(c.material.constituents.tow_width), D::length, required, "> 0", "of a tow"},
+    {"material.tow_gap", AT(c.material.constituents.tow_gap), D::length, required, ">= 0", "between neighbouring tows"},
+    {"material.fibre_diameter", AT(c.material.constituents.fibre_diameter), D::length, required, "> 0", "of one filament"},
+    {"material.weave_factor", AT(c.material.constituents.weave_factor), D::none, "1", "> 0", "on the matrix between the tows"},
+    {"material.density", AT(c.material.constituents.density), D::density, required, "> 0", "of the composite"},
+    {"material.tow_viscosity", words(AT(c.material.constituents.tow_viscosity), {"hexagonal_cell", "coffin"}), D::none, "hexagonal_cell", "", "model of a tow's viscosities"},
+    {"material.fibre_packing", words(AT(c.material.constituents.fibre_packing), {"hexagonal", "square"}), D::none, "hexagonal", "", "of the fibres in a tow"},
+    {"material.crossover_field", words(AT(c.material.constituents.crossover_field), {"derived", "printed"}), D::none, "derived", "", "velocity field between crossing tows"},
+    {"material.matrix.model", only_word("cross"), D::none, "cross", "", "viscosity against shear rate"},
+    {"material.matrix.zero_shear_viscosity", AT(c.material.constituents.matrix.zero_shear_viscosity), D::viscosity, required, "> 0", "at the reference temperature"},
+    {"material.matrix.time_constant", AT(c.material.constituents.matrix.time_constant), D::time, required, ">= 0", "at the reference temperature"},
+    {"material.matrix.exponent", AT(c.material.constituents.matrix.exponent), D::none, required, "> 0, <= 1", "1 does not thin"},
+    {"material.matrix.reference_temperature", AT(c.material.constituents.matrix.reference_temperature), D::temperature, required, "200 K .. 1000 K", "of the two values above"},
+    {"material.matrix.activation_energy", AT(c.material.constituents.matrix.activation_energy), D::molar_energy, required, ">= 0", "Arrhenius shift with temperature"},
+
+    {"tool.name", AT(tool->name), D::none, required, "", "letters, digits, _ and -; names the tool in results"},
+    {"tool.mesh", AT(tool->mesh), D::none, required, "", "STL file, looked for beside the case, in the current folder and in towform's data"},
+    {"tool.mesh_unit", AT(tool->mesh_unit), D::length, "1 m", "> 0", "length of the file's unit; \"mm\" stands for \"1 mm\"", "", true},
+    {"tool.position", AT(tool->position), D::length, "[0, 0, 0]", "", "added to the mesh at the start"},
+    {"tool.friction", AT(tool->friction), D::none, "0.3", "0 .. 10", "Coulomb coefficient against the sheet"},
+    {"tool.force", AT(tool->force), D::force, optional, "", "pushes the tool along axis; this or motion, neither fixes it"},
+    {"tool.axis", words(AT(tool->axis), axes), D::none, "z", "", "of the force", "tool.force"},
+    {"tool.mass", AT(tool->mass), D::mass, "0.5 kg", "> 0", "of the tool that the force moves", "tool.force"},
+    {"tool.motion.axis", words(AT(tool->motion->axis), axes), D::none, "z", "", "of the motion"},
+    {"tool.motion.profile", words(AT(tool->motion->profile), {"constant", "smooth", "table"}), D::none, "constant", "", "of the speed; smooth starts and ends at rest"},
+    {"tool.motion.displacement", MotionAmount{Motion::Quantity::displacement}, D::length, optional, "", "reached at time.end; this or velocity"},
+    {"tool.motion.velocity", MotionAmount{Motion::Quantity::velocity}, D::velocity, optional, "", "kept up throughout; this or displacement"},
+    {"tool.motion.table", MotionTable{}, D::none, optional, "", "[[time, value], …] of profile table, values with a unit of length or velocity"},
+
+    {"time.end", AT(c.time.end), D::time, required, "> 0", "of the run"},
+    {"time.safety", AT(c.time.safety), D::none, "0.9", "> 0, <= 1", "step over the stable step"},
+    {"time.mass_scaling", AT(c.time.mass_scaling), D::none, "1", "1 .. 1000000", "uniform factor on the sheet's mass"},
+    {"time.step", AT(c.time.step), D::time, optional, "> 0", "wanted step: elements that need it are made heavier"},
+    {"time.mass_damping", AT(c.time.mass_damping), D::frequency, "0", ">= 0", "force on a node over its mass and velocity"},
+
+    {"contact.penalty", AT(c.contact.penalty), D::none, "0.1", "> 0, <= 0.5", "stiffness of contact over node mass / step^2"},
+    {"contact.damping", AT(c.contact.damping), D::none, "0.1", "0 .. 1", "normal to the tool, fraction of critical"},
+    {"contact.stick", AT(c.contact.stick), D::none, "1", "> 0, <= 1", "tangential stiffness over the normal one"},
+
+    {"gates.energy_error", AT(c.gates.energy_error), D::none, "0.02", "> 0", "largest error of the energy balance over the external work"},
+    {"gates.kinetic_to_internal", AT(c.gates.kinetic_to_internal), D::none, "0.5", "> 0", "largest kinetic over internal energy in the second half of the run"},
+    {"gates.penetration", AT(c.gates.penetration), D::length, "0.2 mm", "> 0", "deepest penetration of the sheet's surface into a tool"},
+    {"gates.yarn_strain", AT(c.gates.yarn_strain), D::none, "0.05", "> 0", "99th percentile of the yarns' strain"},
+
+    {"output.frames", AT(c.output.frames), D::none, "30", "1 .. 100000", "in results.h5 after the initial one"},
+    {"output.history", AT(c.output.history), D::none, "200", "1 .. 1000000", "rows of history.csv after the initial one"},
+  };
+}
+// clang-format on
+#undef AT
+
+} // namespace
+
+const std::vector<Row>& key_table()
+{
+  static const std::vector<Row> rows = all_rows();
+  return rows;
+}
+
+} // namespace towform

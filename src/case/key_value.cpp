@@ -1,0 +1,75 @@
+#include "key_value.hpp"
+#include "overload.hpp"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace towform {
+
+std::string get_key(const Row& row, Target& target)
+{
+  const auto number = [&](double value) { return written(value, row.dimension); };
+  return std::visit(
+      Overload{
+          [&](At<double> at) { return number(at(target)); },
+          [&](At<std::optional<double>> at) { return at(target) ? number(*at(target)) : ""; },
+          [&](At<int> at) { return fmt::format("{}", at(target)); },
+          [&](At<std::optional<int>> at) { return at(target) ? fmt::format("{}", *at(target)) : ""; },
+          [&](At<std::string> at) {
+            return at(target).empty() && row.default_text == optional ? "" : in_quotes(at(target));
+          },
+          [&](At<std::filesystem::path> at) { return in_quotes(at(target).string()); },
+          [&](At<Vec2> at) { return fmt::format("[{}, {}]", number(at(target).x), number(at(target).y)); },
+          [&](At<Vec3> at) {
+            const Vec3 v = at(target);
+            return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
+          },
+          [&](const Words& words) {
+            return in_quotes(words.names[static_cast<std::size_t>(words.get(target))]);
+          },
+          [&](const MotionAmount& amount) -> std::string {
+            const Motion& motion = *target.tool->motion;
+            const bool shown = motion.profile != Motion::Profile::table && motion.quantity == amount.quantity;
+            return shown ? number(motion.amount) : "";
+          },
+          [&](const MotionTable&) -> std::string {
+            const Motion& motion = *target.tool->motion;
+            if (motion.profile != Motion::Profile::table) return "";
+            const bool velocity = motion.quantity == Motion::Quantity::velocity;
+            std::vector<std::string> points;
+            for (const Motion::Point& point : motion.table) {
+              points.push_back(
+                  fmt::format("[{}, {}]", written(point.time, Dimension::time),
+                              written(point.value, velocity ? Dimension::velocity : Dimension::length)));
+            }
+            return fmt::format("[{}]", fmt::join(points, ", "));
+          },
+      },
+      row.binding);
+}
+
+std::string type_of(const Row& row)
+{
+  const std::string name = dimension_name(row.dimension);
+  return std::visit(Overload{
+                        [&](At<double>) { return name; },
+                        [&](At<std::optional<double>>) { return name; },
+                        [](At<int>) { return std::string("whole number"); },
+                        [](At<std::optional<int>>) { return std::string("whole number"); },
+                        [](At<std::string>) { return std::string("text"); },
+                        [](At<std::filesystem::path>) { return std::string("path"); },
+                        [&](At<Vec2>) { return "two " + name + "s"; },
+                        [&](At<Vec3>) { return "three " + name + "s"; },
+                        [](const Words& words) { return fmt::format("{}", fmt::join(words.names, ", ")); },
+                        [&](const MotionAmount&) { return name; },
+                        [](const MotionTable&) { return std::string("table"); },
+                    },
+                    row.binding);
+}
+
+std::string label(const Row& row, const Target& target)
+{
+  if (target.tool == nullptr || target.tool->name.empty() || row.name() == "name") return row.path;
+  return "tool." + target.tool->name + row.path.substr(4);
+}
+
+} // namespace towform
