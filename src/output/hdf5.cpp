@@ -81,7 +81,9 @@ hid_t check(hid_t result, hid_t where, const std::string& what)
 File File::create(const std::filesystem::path& path)
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_without_lock().id());
+  const Properties access =
+      access_without_lock(); // lives until the reason is read: closing it would clear that
+  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
   if (id < 0) throw FileError(fmt::format("{}: cannot be created: {}", path.string(), innermost_reason()));
   return {path, id};
 }
@@ -89,8 +91,9 @@ File File::create(const std::filesystem::path& path)
 File File::open(const std::filesystem::path& path, Mode mode)
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  const Properties access = access_without_lock();
   const unsigned flags = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
-  const hid_t id = H5Fopen(path.c_str(), flags, access_without_lock().id());
+  const hid_t id = H5Fopen(path.c_str(), flags, access.id());
   if (id < 0) throw FileError(fmt::format("{}: cannot be opened: {}", path.string(), innermost_reason()));
   return {path, id};
 }
