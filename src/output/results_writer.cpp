@@ -1,0 +1,146 @@
+#include "output/field.hpp"
+#include "output/hdf5.hpp"
+#include "output/text_file.hpp"
+#include "output/xdmf.hpp"
+#include "towform/error.hpp"
+#include "towform/results.hpp"
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace towform {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int schema_version = 1;
+
+// Room for a frame's headers, attributes and grown indices; a frame needs about 12 kB of them.
+constexpr std::size_t header_bytes = 65536;
+
+fs::path results_path(const fs::path& directory) { return directory / "results.h5"; }
+
+hid_t file_type(Field::Number number)
+{
+  switch (number) {
+  case Field::Number::int32:
+    return H5T_STD_I32LE;
+  case Field::Number::float32:
+    return H5T_IEEE_F32LE;
+  default:
+    return H5T_IEEE_F64LE;
+  }
+}
+
+void write_with_units(hid_t parent, const char* name, const hdf5::Shape& shape, hid_t memory, hid_t stored,
+                      const void* data, const char* units)
+{
+  const hdf5::Dataset dataset = hdf5::write_dataset(parent, name, shape, memory, stored, data);
+  hdf5::write_attribute(dataset.id(), "units", std::string(units));
+}
+
+void write_mesh(const hdf5::File& file, const SurfaceMesh& blank)
+{
+  static_assert(sizeof(Triangle) == 3 * sizeof(std::int32_t));
+  const hdf5::Group mesh = hdf5::create_group(file.id(), "mesh");
+  write_with_units(mesh.id(), "triangles", {blank.triangles.size(), 3}, H5T_NATIVE_INT, H5T_STD_I32LE,
+                   blank.triangles.data(), "1");
+  write_with_units(mesh.id(), "reference", {blank.points.size(), 3}, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE,
+                   blank.points.data(), "m");
+}
+
+/// The digests as `sha256sum` prints them, so that `sha256sum -c` checks them.
+std::string digest_lines(const Provenance& provenance)
+{
+  std::string lines;
+  for (const auto& [file, digest] : provenance.input_sha256) lines += fmt::format("{}  {}\n", digest, file);
+  return lines;
+}
+
+void write_provenance(const hdf5::File& file, const Provenance& provenance)
+{
+  hdf5::write_attribute(file.id(), "schema_version", schema_version);
+  hdf5::write_attribute(file.id(), "version", provenance.version);
+  hdf5::write_attribute(file.id(), "git_hash", provenance.git_hash);
+  hdf5::write_attribute(file.id(), "flags", provenance.flags);
+  hdf5::write_attribute(file.id(), "title", provenance.title);
+  hdf5::write_attribute(file.id(), "case", provenance.case_text);
+  hdf5::write_attribute(file.id(), "resolved_case", provenance.resolved_case);
+  hdf5::write_attribute(file.id(), "inputs", digest_lines(provenance));
+  hdf5::write_attribute(file.id(), "status", std::string("running"));
+}
+
+/// Bytes a frame takes; throws std::invalid_argument when an array has a wrong
+/// length.
+std::size_t frame_bytes(const Frame& frame, std::size_t nodes, std::size_t elements)
+{
+  std::size_t bytes = header_bytes;
+  for (const Field& field : fields()) {
+    const std::size_t rows = field.values(frame).rows;
+    const std::size_t expected = field.centre == Field::Centre::node ? nodes : elements;
+    if (rows != expected)
+      throw std::invalid_argument(
+          fmt::format("frame: {} has {} rows instead of {}", field.name, rows, expected));
+    bytes += rows * static_cast<std::size_t>(field.components) * size_of(field.stored);
+  }
+  return bytes;
+}
+
+// Not compressed: deflate at level 1 takes a quarter off the size of a noisy field and eight times as long.
+void write_fields(hid_t group, const Frame& frame)
+{
+  for (const Field& field : fields()) {
+    const Field::Values values = field.values(frame);
+    hdf5::Shape shape{values.rows};
+    if (field.components > 1) shape.push_back(static_cast<hsize_t>(field.components));
+    const hid_t memory = field.stored == Field::Number::int32 ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE;
+    write_with_units(group, field.name, shape, memory, file_type(field.stored), values.data, field.units);
+  }
+}
+
+} // namespace
+
+ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const Provenance& provenance)
+    : directory_(std::move(directory)), nodes_(blank.points.size()), elements_(blank.triangles.size())
+{
+  make_directory(directory_);
+  std::error_code ignored; // an index of results that are about to be replaced
+  fs::remove(directory_ / "results.xdmf", ignored);
+  hdf5::File file = hdf5::File::create(results_path(directory_));
+  write_provenance(file, provenance);
+  write_mesh(file, blank);
+  hdf5::create_group(file.id(), "frames");
+  file.close();
+}
+
+void ResultsWriter::append(const Frame& frame)
+{
+  const fs::path path = results_path(directory_);
+  // A disk that fills up while HDF5 flushes leaves a file that nobody can open; ask first.
+  reserve_space(path, frame_bytes(frame, nodes_, elements_));
+  hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
+  {
+    // The frame gets its name last: whatever fails, no part of a frame is left behind.
+    const hdf5::Group group = hdf5::create_unnamed_group(file.id());
+    hdf5::write_attribute(group.id(), "time", frame.time);
+    write_fields(group.id(), frame);
+    hdf5::name_object(group.id(), file.id(), fmt::format("/frames/{:04}", times_.size()));
+  }
+  file.close();
+  times_.push_back(frame.time);
+  write_xdmf();
+}
+
+void ResultsWriter::finish(const std::string& status)
+{
+  hdf5::File file = hdf5::File::open(results_path(directory_), hdf5::File::Mode::append);
+  hdf5::write_attribute(file.id(), "status", status);
+  file.close();
+}
+
+void ResultsWriter::write_xdmf() const
+{
+  replace_file(directory_ / "results.xdmf", xdmf_text(times_, nodes_, elements_));
+}
+
+} // namespace towform

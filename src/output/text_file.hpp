@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+namespace towform {
+
+/// Creates a directory and its parents. Throws FileError: it is a file, it cannot be created.
+void make_directory(const std::filesystem::path& directory);
+
+/// Writes a file under a temporary name beside it and renames it, so that whoever opens the file finds the
+/// old text or the new one, never a part. Throws FileError naming the file; the old one then stays.
+void replace_file(const std::filesystem::path& path, std::string_view text);
+
+/// Makes sure that a file can grow by `bytes` (allocates them behind its end). Throws FileError, with the
+/// file as it was, when the disk is full or a limit is reached.
+void reserve_space(const std::filesystem::path& path, std::size_t bytes);
+
+} // namespace towform

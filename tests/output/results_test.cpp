@@ -1,0 +1,311 @@
+#include "dome.hpp"
+#include "output/hdf5.hpp"
+#include "temporary_directory.hpp"
+#include "towform/error.hpp"
+#include <csignal>
+#include <fcntl.h>
+#include <map>
+#include <regex>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+namespace towform {
+
+namespace {
+
+class Results : public TemporaryDirectory {
+protected:
+  hdf5::File open(hdf5::File::Mode mode = hdf5::File::Mode::read) const
+  {
+    return hdf5::File::open(directory / "results.h5", mode);
+  }
+  std::vector<std::string> frames() const
+  {
+    const hdf5::File file = open();
+    return hdf5::link_names(hdf5::open_group(file.id(), "frames").id());
+  }
+  std::vector<double> values(const std::string& path) const
+  {
+    const hdf5::File file = open();
+    return hdf5::read_numbers(hdf5::open_dataset(file.id(), path));
+  }
+
+  SurfaceMesh mesh = dome::sheet(4); ///< 25 nodes, 32 elements
+};
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_F(Results, HoldTheMeshAndWhereTheyCameFrom)
+{
+  ResultsWriter(directory, mesh, dome::provenance()).finish("done");
+  const hdf5::File file = open();
+  const hdf5::Dataset triangles = hdf5::open_dataset(file.id(), "mesh/triangles");
+  EXPECT_EQ(hdf5::shape_of(triangles), (hdf5::Shape{32, 3}));
+  const hdf5::Type type(H5Dget_type(triangles.id()));
+  EXPECT_GT(H5Tequal(type.id(), H5T_STD_I32LE), 0);
+  EXPECT_EQ(hdf5::read_numbers(triangles)[3 * 31 + 1], mesh.triangles[31][1]);
+  const std::vector<double> reference = hdf5::read_numbers(hdf5::open_dataset(file.id(), "mesh/reference"));
+  ASSERT_EQ(reference.size(), 75U);
+  EXPECT_EQ(reference[3 * 7 + 1], mesh.points[7].y);
+
+  const auto text = [&](const char* name) { return hdf5::text_attribute(file.id(), name); };
+  const Provenance p = dome::provenance();
+  EXPECT_EQ(text("version"), p.version);
+  EXPECT_EQ(text("git_hash"), p.git_hash);
+  EXPECT_EQ(text("flags"), p.flags);
+  EXPECT_EQ(text("title"), p.title);
+  EXPECT_EQ(text("case"), p.case_text);
+  EXPECT_EQ(text("resolved_case"), p.resolved_case);
+  EXPECT_EQ(text("status"), "done");
+  EXPECT_EQ(text("inputs"),
+            std::string(64, 'a') + "  cases/dome.toml\n" + std::string(64, 'b') + "  meshes/a punch.stl\n");
+  EXPECT_EQ(hdf5::number_attribute(file.id(), "schema_version"), 1.0);
+}
+
+TEST_F(Results, KeepACaseTextBeyondTheLimitOfAnHdf5Attribute)
+{
+  Provenance provenance = dome::provenance();
+  provenance.case_text.assign(200'000, 'x'); // 64 KiB is what fits an object's header
+  const ResultsWriter writer(directory, mesh, provenance);
+  EXPECT_EQ(hdf5::text_attribute(open().id(), "case"), provenance.case_text);
+  EXPECT_EQ(hdf5::text_attribute(open().id(), "status"), "running");
+}
+
+TEST_F(Results, HoldEveryFieldOfAFrameWithItsUnits)
+{
+  const std::map<std::string, std::pair<std::string, hdf5::Shape>> expected = {
+      {"position", {"m", {25, 3}}},    {"velocity", {"m/s", {25, 3}}},   {"contact_pressure", {"Pa", {25}}},
+      {"shear_angle", {"deg", {32}}},  {"shear_rate", {"rad/s", {32}}},  {"curve_index", {"1", {32}}},
+      {"curve_position", {"1", {32}}}, {"shear_force", {"N/m", {32}}},   {"fibre_1", {"1", {32, 3}}},
+      {"fibre_2", {"1", {32, 3}}},     {"fibre_strain", {"1", {32, 2}}}, {"thickness", {"m", {32}}},
+      {"temperature", {"K", {32}}},
+  };
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  writer.append(dome::frame(mesh, 0.5));
+  const hdf5::File file = open();
+  const hdf5::Group frame = hdf5::open_group(file.id(), "frames/0000");
+  EXPECT_EQ(hdf5::number_attribute(frame.id(), "time"), 0.03);
+  EXPECT_EQ(hdf5::link_names(frame.id()).size(), expected.size());
+  for (const auto& [name, units_and_shape] : expected) {
+    const hdf5::Dataset dataset = hdf5::open_dataset(frame.id(), name);
+    EXPECT_EQ(hdf5::text_attribute(dataset.id(), "units"), units_and_shape.first) << name;
+    EXPECT_EQ(hdf5::shape_of(dataset), units_and_shape.second) << name;
+  }
+}
+
+TEST_F(Results, KeepPositionsToTheBitAndTheRestToSevenDigits)
+{
+  Frame frame = dome::frame(mesh, 1.0);
+  for (std::size_t i = 0; i < 32; ++i) { // a different value in every place, so that none can be mistaken
+    const double x = 0.1 + static_cast<double>(i);
+    frame.shear_angle[i] = x;
+    frame.shear_rate[i] = 2 * x;
+    frame.curve_index[i] = static_cast<std::int32_t>(i) + 1;
+    frame.curve_position[i] = 3 * x;
+    frame.shear_force[i] = 4 * x;
+    frame.fibre_1[i] = {5 * x, 6 * x, 7 * x};
+    frame.fibre_2[i] = {8 * x, 9 * x, 10 * x};
+    frame.fibre_strain[i] = {11 * x, 12 * x};
+    frame.thickness[i] = 13 * x;
+    frame.temperature[i] = 14 * x;
+  }
+  for (std::size_t i = 0; i < 25; ++i) {
+    frame.velocity[i] = {15.1, 16.1, 17.1 + static_cast<double>(i)};
+    frame.contact_pressure[i] = 18.1 + static_cast<double>(i);
+  }
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  writer.append(frame);
+  const auto value = [&](const char* name, std::size_t place) {
+    return values(fmt::format("frames/0000/{}", name)).at(place);
+  };
+  const auto single = [](double x) { return static_cast<double>(static_cast<float>(x)); };
+  for (std::size_t i = 0; i < 25; ++i) {
+    EXPECT_EQ(value("position", 3 * i), frame.position[i].x);
+    EXPECT_EQ(value("position", 3 * i + 2), frame.position[i].z);
+  }
+  const double x = 31.1; // of element 31
+  EXPECT_EQ(value("shear_angle", 31), single(x));
+  EXPECT_EQ(value("shear_rate", 31), single(2 * x));
+  EXPECT_EQ(value("curve_index", 31), 32);
+  EXPECT_EQ(value("curve_position", 31), single(3 * x));
+  EXPECT_EQ(value("shear_force", 31), single(4 * x));
+  EXPECT_EQ(value("fibre_1", 3 * 31 + 1), single(6 * x));
+  EXPECT_EQ(value("fibre_2", 3 * 31 + 2), single(10 * x));
+  EXPECT_EQ(value("fibre_strain", 2 * 31), single(11 * x));
+  EXPECT_EQ(value("fibre_strain", 2 * 31 + 1), single(12 * x));
+  EXPECT_EQ(value("thickness", 31), single(13 * x));
+  EXPECT_EQ(value("temperature", 31), single(14 * x));
+  EXPECT_EQ(value("velocity", 3 * 24 + 2), single(41.1));
+  EXPECT_EQ(value("contact_pressure", 24), single(42.1));
+}
+
+TEST_F(Results, CanBeReadAfterEveryFrameAndWhileAReaderHoldsThemOpen)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  EXPECT_TRUE(frames().empty());
+  const int reader = ::open((directory / "results.h5").c_str(), O_RDONLY);
+  ASSERT_EQ(::flock(reader, LOCK_SH), 0); // as HDF5 does in a program that reads
+  for (int i = 0; i < 3; ++i) {
+    writer.append(dome::frame(mesh, i / 2.0));
+    EXPECT_EQ(writer.frames(), i + 1);
+  }
+  ::close(reader);
+  EXPECT_EQ(frames(), (std::vector<std::string>{"0000", "0001", "0002"}));
+}
+
+TEST_F(Results, LoseOnlyTheFrameThatIsWrittenWhenTheProgramDies)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  writer.append(dome::frame(mesh, 0.5));
+  const pid_t child = ::fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) { // half of a frame, then death without a close
+    const hdf5::File file = open(hdf5::File::Mode::append);
+    const hdf5::Group group = hdf5::create_group(file.id(), "frames/0001");
+    const std::vector<double> half(75, 1.0);
+    const hdf5::Dataset dataset =
+        hdf5::write_dataset(group.id(), "position", {25, 3}, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, half.data());
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(frames(), std::vector<std::string>{"0000"});
+  writer.append(dome::frame(mesh, 1.0));
+  EXPECT_EQ(frames(), (std::vector<std::string>{"0000", "0001"}));
+  EXPECT_EQ(values("frames/0001/position")[2], dome::frame(mesh, 1.0).position[0].z);
+}
+
+TEST_F(Results, StayReadableWhenTheDiskIsFull)
+{
+  mesh = dome::sheet(40);
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  writer.append(dome::frame(mesh, 0.5));
+  const std::filesystem::path path = directory / "results.h5";
+  const std::uintmax_t size = std::filesystem::file_size(path);
+
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit full{size + 100'000, before.rlim_max}; // a frame has about 290 kB
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ::setrlimit(RLIMIT_FSIZE, &full);
+  const std::string message = message_of<FileError>([&] { writer.append(dome::frame(mesh, 1.0)); });
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+
+  EXPECT_TRUE(contains(message, path.string() + ": no room for")) << message;
+  EXPECT_EQ(writer.frames(), 1);
+  EXPECT_EQ(std::filesystem::file_size(path), size);
+  EXPECT_EQ(frames(), std::vector<std::string>{"0000"});
+  EXPECT_EQ(values("frames/0000/position").size(), 3 * mesh.points.size());
+  writer.append(dome::frame(mesh, 1.0)); // there is room again
+  EXPECT_EQ(frames().size(), 2U);
+}
+
+TEST_F(Results, LeaveNoPartOfAFrameBehindWhenAnArrayHasAWrongLength)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  Frame frame = dome::frame(mesh, 1.0);
+  frame.thickness.pop_back();
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { writer.append(frame); }),
+            "frame: thickness has 31 rows instead of 32");
+  EXPECT_TRUE(frames().empty());
+}
+
+TEST_F(Results, TakeNoMoreThanTheirNumbersAndALittle)
+{
+  mesh = dome::sheet(40);
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  for (int i = 0; i < 5; ++i) writer.append(dome::frame(mesh, 0.25 * i));
+  const auto numbers = mesh.points.size() * (24 + 12 + 4) + mesh.triangles.size() * (7 * 4 + 24 + 8);
+  const auto frame_size = std::filesystem::file_size(directory / "results.h5") / 5;
+  EXPECT_LT(frame_size, numbers + 40'000); // the mesh, shared by the five frames, and headers
+}
+
+TEST_F(Results, AreIndexedForParaViewAfterEveryFrame)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  EXPECT_FALSE(std::filesystem::exists(directory / "results.xdmf"));
+  for (int i = 0; i < 3; ++i) {
+    writer.append(dome::frame(mesh, i / 2.0));
+    const std::string xdmf = text_of(directory / "results.xdmf");
+    const std::regex time("<Time Value=\"([^\"]*)\"/>");
+    std::vector<std::string> times;
+    for (std::sregex_iterator it(xdmf.begin(), xdmf.end(), time), end; it != end; ++it)
+      times.push_back((*it)[1]);
+    const std::vector<std::string> all{"0", "0.03", "0.06"};
+    EXPECT_EQ(times, std::vector<std::string>(all.begin(), all.begin() + i + 1));
+  }
+  EXPECT_FALSE(std::filesystem::exists(directory / "results.xdmf.new"));
+}
+
+TEST_F(Results, IndexNamesDatasetsThatExistWithTheirShapes)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  writer.append(dome::frame(mesh, 0.0));
+  writer.append(dome::frame(mesh, 1.0));
+  const std::string xdmf = text_of(directory / "results.xdmf");
+  const std::regex item("<DataItem Dimensions=\"([0-9 ]+)\" NumberType=\"(Int|Float)\" Precision=\"([48])\" "
+                        "Format=\"HDF\">results.h5:([^<]+)</DataItem>");
+  const hdf5::File file = open();
+  std::size_t items = 0;
+  for (std::sregex_iterator it(xdmf.begin(), xdmf.end(), item), end; it != end; ++it, ++items) {
+    const hdf5::Dataset dataset = hdf5::open_dataset(file.id(), (*it)[4]);
+    EXPECT_EQ((*it)[1], fmt::format("{}", fmt::join(hdf5::shape_of(dataset), " "))) << (*it)[4];
+    const hdf5::Type type(H5Dget_type(dataset.id()));
+    EXPECT_EQ(std::stoul((*it)[3]), H5Tget_size(type.id())) << (*it)[4];
+    EXPECT_EQ((*it)[2] == "Int", H5Tget_class(type.id()) == H5T_INTEGER) << (*it)[4];
+  }
+  EXPECT_EQ(items, 2U * 15U); // triangles, reference and 13 fields in each frame
+}
+
+TEST_F(Results, ReplaceThoseOfAnEarlierRun)
+{
+  {
+    ResultsWriter first(directory, mesh, dome::provenance());
+    first.append(dome::frame(mesh, 1.0));
+  }
+  const ResultsWriter second(directory, mesh, dome::provenance());
+  EXPECT_TRUE(frames().empty());
+  EXPECT_FALSE(std::filesystem::exists(directory / "results.xdmf")); // it named frames that are gone
+}
+
+TEST_F(Results, GoIntoANewDirectoryAndItsParents)
+{
+  const ResultsWriter writer(directory / "a/b", mesh, dome::provenance());
+  EXPECT_TRUE(std::filesystem::is_regular_file(directory / "a/b/results.h5"));
+}
+
+TEST_F(Results, SayWhyTheyCannotBeWritten)
+{
+  const auto message = [&](const std::filesystem::path& where) {
+    return message_of<FileError>([&] { ResultsWriter(where, mesh, dome::provenance()); });
+  };
+  std::ofstream(directory / "file") << "text";
+  EXPECT_EQ(message(directory / "file"), (directory / "file").string() + ": is a file, not a directory");
+  EXPECT_EQ(message(directory / "file/below"),
+            (directory / "file/below").string() + ": the directory cannot be created: Not a directory");
+  std::filesystem::create_directories(directory / "taken/results.h5");
+  EXPECT_EQ(message(directory / "taken"),
+            (directory / "taken/results.h5").string() + ": cannot be created: Is a directory");
+  if (::geteuid() != 0) { // nothing is denied to root
+    std::filesystem::create_directory(directory / "denied");
+    std::filesystem::permissions(directory / "denied", std::filesystem::perms::owner_read);
+    EXPECT_TRUE(contains(message(directory / "denied"), "Permission denied"));
+    std::filesystem::permissions(directory / "denied", std::filesystem::perms::owner_all);
+  }
+}
+
+TEST_F(Results, SayWhichFileIsGoneWhenAFrameIsAppended)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  std::filesystem::remove(directory / "results.h5");
+  EXPECT_EQ(message_of<FileError>([&] { writer.append(dome::frame(mesh, 1.0)); }),
+            (directory / "results.h5").string() + ": cannot be opened: No such file or directory");
+}
+
+} // namespace towform
