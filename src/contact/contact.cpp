@@ -39,20 +39,32 @@ SurfacePoint find_nearest(const ToolSurface& surface, const Vec3& p, double half
   return nearest;
 }
 
-/// Stick-slip return mapping: stretches the spring by the tangential movement and lets it slip back to the
-/// cone. Returns the friction force on the node.
-Vec3 friction_force(Vec3& stick, const Vec3& normal, const Vec3& movement, double stiffness, double limit,
+/// What a node's tangential contact is made of.
+struct Friction {
+  double stiffness; ///< of the stick spring [N/m]
+  double damping;   ///< beside it [N s/m]
+  double limit;     ///< mu times the normal force [N]
+};
+
+/// Stick-slip return mapping: stretches the spring by the tangential movement of a step, lets it slip back to
+/// the cone. The dashpot acts while the node sticks. Returns the force on the node.
+Vec3 friction_force(const Friction& f, const Vec3& normal, const Vec3& movement, double dt, Vec3& stick,
                     double& dissipated)
 {
-  const Vec3 moved = stick + movement;
-  const Vec3 trial = moved - dot(moved, normal) * normal;
+  const Vec3 tangential = movement - dot(movement, normal) * normal;
+  const Vec3 trial = stick - dot(stick, normal) * normal + tangential;
   const double stretch = norm(trial);
   stick = trial;
-  if (stiffness * stretch > limit) {
-    stick *= limit / (stiffness * stretch);
-    dissipated += limit * (stretch - limit / stiffness);
+  if (f.stiffness * stretch > f.limit) {
+    stick *= f.limit / (f.stiffness * stretch);
+    dissipated += f.limit * (stretch - f.limit / f.stiffness);
+    return -f.stiffness * stick;
   }
-  return -stiffness * stick;
+  Vec3 force = -f.stiffness * stick - (f.damping / dt) * tangential;
+  const double size = norm(force);
+  if (size > f.limit) force *= f.limit / size;
+  dissipated -= dot(force + f.stiffness * stick, tangential);
+  return force;
 }
 
 } // namespace
@@ -94,16 +106,17 @@ void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_st
       const double stiffness = contact.stiffness[n], closing = -dot(relative, nearest.normal);
       const double elastic = -stiffness * gap;
       const double damped = std::max(elastic + contact.damping[n] * closing, 0.0); // never pulls
-      const double tangential = contact.stick_ratio * stiffness;
+      const Friction friction{contact.stick_ratio * stiffness, contact.damping[n], tool.friction * damped};
       Vec3 force = damped * nearest.normal;
       if (tool.friction > 0.0)
-        force += friction_force(c.stick[n], nearest.normal, dt * relative, tangential, tool.friction * damped,
-                                sum.energies.friction);
+        force +=
+            friction_force(friction, nearest.normal, dt * relative, dt, c.stick[n], sum.energies.friction);
       s.force[n] += force;
       c.normal_force[n] = damped;
       sum.reaction -= force;
       sum.energies.damping += (damped - elastic) * closing * dt;
-      sum.energies.elastic += 0.5 * stiffness * gap * gap + 0.5 * tangential * norm_squared(c.stick[n]);
+      sum.energies.elastic +=
+          0.5 * stiffness * gap * gap + 0.5 * friction.stiffness * norm_squared(c.stick[n]);
       if (-gap > sum.penetration) {
         sum.penetration = -gap;
         sum.deepest_node = n;

@@ -14,7 +14,7 @@ struct Contact {
   int tool = 0;
   double half_thickness = 0.0;   ///< [m]
   std::vector<double> stiffness; ///< n, k = beta m / dt^2 [N/m]
-  std::vector<double> damping;   ///< n, c = 2 zeta sqrt(k m) [N s/m]
+  std::vector<double> damping;   ///< n, c = 2 zeta sqrt(k m), normal and while sticking [N s/m]
   double stick_ratio = 1.0;      ///< k_t / k
 };
 

@@ -16,23 +16,25 @@ CornersOfNode::CornersOfNode(std::span<const Triangle> triangles, std::size_t no
 }
 
 namespace {
-/// Nodes of mirror planes across which warp becomes weft (yarns at 45 degrees to the plane).
-std::vector<int> nodes_that_exchange_yarns(const Blank& blank)
+/// Marks nodes of mirror planes across which warp becomes weft (yarns at 45 degrees to the plane).
+std::vector<char> nodes_that_exchange_yarns(const Blank& blank)
 {
-  std::vector<int> nodes;
-  const auto exchanged = [&](const Vec3& mirror) { // |warp . weft| after reflection of the warp
+  std::vector<char> marks;
+  const auto mark = [&](const Vec3& mirror, const std::vector<int>& nodes) {
     const Vec3 reflected = blank.warp - (2.0 * dot(blank.warp, mirror)) * mirror;
-    return std::abs(dot(reflected, blank.weft)) > 0.5;
+    if (std::abs(dot(reflected, blank.weft)) < 0.5) return;
+    marks.resize(blank.mesh.points.size(), 0);
+    for (const int n : nodes) marks[n] = 1;
   };
-  if (exchanged({1, 0, 0})) nodes.insert(nodes.end(), blank.mirror_x.begin(), blank.mirror_x.end());
-  if (exchanged({0, 1, 0})) nodes.insert(nodes.end(), blank.mirror_y.begin(), blank.mirror_y.end());
-  return nodes;
+  if (!blank.mirror_x.empty()) mark({1, 0, 0}, blank.mirror_x);
+  if (!blank.mirror_y.empty()) mark({0, 1, 0}, blank.mirror_y);
+  return marks;
 }
 } // namespace
 
 Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law)
     : triangles(blank.mesh.triangles), node_area(blank.mesh.points.size(), 0.0),
-      corners(triangles, blank.mesh.points.size()), exchanging_nodes(nodes_that_exchange_yarns(blank)),
+      corners(triangles, blank.mesh.points.size()), exchanging(nodes_that_exchange_yarns(blank)),
       reference_sine(dot(blank.warp, blank.weft)), thickness(blank.thickness), yarn(yarn_law),
       law(std::move(fabric_law))
 {
@@ -104,6 +106,9 @@ void node_tensions(const Membrane& membrane, State& s, double dt)
     }
     const double scale = 1.0 / (3.0 * membrane.node_area[n]);
     mean = {mean.warp * scale, mean.weft * scale};
+    // The elements beyond such a mirror bring the other family.
+    if (!membrane.exchanging.empty() && membrane.exchanging[n])
+      mean.warp = mean.weft = 0.5 * (mean.warp + mean.weft);
     const YarnPair change = {mean.warp - s.node_strain[n].warp, mean.weft - s.node_strain[n].weft};
     const double rate_factor = viscosity / dt;
     s.node_tension[n] = {yarn.tension(mean.warp) + rate_factor * change.warp,
@@ -111,20 +116,6 @@ void node_tensions(const Membrane& membrane, State& s, double dt)
     s.yarn_damping[n] += (1.0 - membrane.own_strain_share) * membrane.node_area[n] * rate_factor *
                          (change.warp * change.warp + change.weft * change.weft);
     s.node_strain[n] = mean;
-  }
-}
-
-/// On a mirror plane the elements beyond it count too; where it maps warp to weft, they bring the other
-/// family.
-void exchange_on_mirrors(const Membrane& membrane, State& s)
-{
-  if (membrane.exchanging_nodes.empty()) return;
-#pragma omp single
-  for (const int n : membrane.exchanging_nodes) {
-    const double strain = 0.5 * (s.node_strain[n].warp + s.node_strain[n].weft);
-    const double tension = 0.5 * (s.node_tension[n].warp + s.node_tension[n].weft);
-    s.node_strain[n] = {strain, strain};
-    s.node_tension[n] = {tension, tension};
   }
 }
 
@@ -172,7 +163,6 @@ void membrane_forces(const Membrane& membrane, State& s, double dt)
   {
     element_strains(membrane, s);
     node_tensions(membrane, s, dt);
-    exchange_on_mirrors(membrane, s);
     std::visit([&](const auto& law) { element_forces(membrane, law, s, dt); }, membrane.law);
   }
 }

@@ -58,9 +58,10 @@ struct Membrane {
   std::vector<double> area;             ///< m, reference [m^2]
   std::vector<double> node_area;        ///< n, a third of the elements round a node [m^2]
   CornersOfNode corners;
-  std::vector<int> exchanging_nodes; ///< on a mirror that maps warp to weft: both families share one strain
-  double reference_sine = 0.0;       ///< f01 . f02
-  double thickness = 0.0;            ///< [m]
+  std::vector<char>
+      exchanging; ///< n, on a mirror that maps warp to weft: both families share one strain; or empty
+  double reference_sine = 0.0; ///< f01 . f02
+  double thickness = 0.0;      ///< [m]
   YarnLaw yarn;
   double damping_time = 0.0; ///< yarn damping: T += k damping_time d(strain)/dt [s]
   double own_strain_share = 0.1;

@@ -10,18 +10,41 @@ struct StableStep {
   int element = 0;   ///< one of the elements whose yarns or shear set the limit
 };
 
-/// A guaranteed stable step of central differences on the sheet at its current shape, without contact. The
-/// stiffness is a sum over patches (averaged yarns: the elements round a node; own strains and shear: one
-/// element), and each patch is compared with its share of the elements' lumped mass: the largest frequency of
-/// the whole is at most the sum of the patches' largest squares. Yarn damping lowers the step to 2/omega
-/// (sqrt(1 + xi^2) - xi). `element_mass` [kg]; `shear_modulus` bounds dN/dtheta [N/m].
-StableStep stable_step(const Membrane& membrane, const State& s, std::span<const double> element_mass,
-                       double shear_modulus);
+/// Stable steps of central differences on a sheet, without contact. The stiffness is a sum over patches
+/// (averaged yarns: the elements round a node; own strains and shear: one element); each patch is compared
+/// with the share of the elements' lumped mass it is given, and the largest frequency of the whole is at most
+/// the sum of the patches' largest squares. Patches at the blank's edge, being stiffer, are given more of the
+/// mass. Yarn directions are taken as equal over a patch. Yarn damping lowers the step to 2/omega (sqrt(1 +
+/// xi^2) - xi).
+class StepBound {
+public:
+  /// `element_mass` [kg]; `shear_modulus` bounds dN/dtheta [N/m]. The membrane must outlive the bound.
+  StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus);
 
-/// Factors on the elements' mass (at least 1) with which `stable_step` reaches `wanted` [s] at the current
-/// shape.
-std::vector<double> selective_mass_factors(const Membrane& membrane, const State& s,
-                                           std::span<const double> element_mass, double shear_modulus,
-                                           double wanted);
+  /// The stable step at the sheet's current shape.
+  [[nodiscard]] StableStep at(const State& s) const;
+
+  /// Factors on the elements' mass (at least 1) with which the step reaches `wanted` [s] at the current
+  /// shape.
+  [[nodiscard]] std::vector<double> mass_factors(const State& s, double wanted) const;
+
+private:
+  struct Sums { ///< over the nodes of a patch, of products of its gradients, over their share of mass [1/(m^2
+                ///< kg)]
+    double warp = 0.0, weft = 0.0, both = 0.0;
+  };
+  struct Frequencies {
+    std::vector<double> patch, element; ///< omega^2 [1/s^2]
+  };
+  [[nodiscard]] Sums patch_sums(std::size_t node, std::span<const double> share) const;
+  [[nodiscard]] double patch_frequency(std::size_t node, double sine) const;
+  [[nodiscard]] double element_frequency(const State& s, std::size_t element) const;
+  [[nodiscard]] Frequencies frequencies(const State& s) const;
+
+  const Membrane& membrane_;
+  std::vector<double> element_mass_;
+  double shear_modulus_;
+  std::vector<Sums> patch_;
+};
 
 } // namespace towform

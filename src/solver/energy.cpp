@@ -8,7 +8,7 @@ namespace towform {
 double Energies::error() const
 {
   const double moved = std::max(std::abs(external), kinetic + internal());
-  return moved > 0.0 ? std::abs(kinetic + internal() - external) / moved : 0.0;
+  return external != 0.0 ? std::abs(kinetic + internal() - external) / moved : 0.0;
 }
 
 Energies energy_account(const Model& model, const System& s)

@@ -62,19 +62,16 @@ void set_inertia(const Case& c, Model& model)
   // Room for two tools on a node: their springs and dashpots add 2 beta to (omega dt)^2 <= 4, and more with
   // damping.
   model.step_factor = c.time.safety * std::sqrt(1.0 - c.contact.penalty);
-  const auto sheet_step = [&] {
-    return stable_step(membrane, sheet, model.element_mass, model.shear_modulus).step;
-  };
-  membrane.damping_time = c.material.yarn_damping * sheet_step();
+  const auto bound = [&] { return StepBound(membrane, model.element_mass, model.shear_modulus); };
+  membrane.damping_time = c.material.yarn_damping * bound().at(sheet).step;
   if (c.time.step) {
-    const auto factors = selective_mass_factors(membrane, sheet, model.element_mass, model.shear_modulus,
-                                                *c.time.step / model.step_factor);
+    const auto factors = bound().mass_factors(sheet, *c.time.step / model.step_factor);
     for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
   }
   model.added_mass_fraction =
       std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0;
   model.mass = lumped(membrane, model.element_mass, sheet.position.size());
-  model.first_step = model.step_factor * sheet_step();
+  model.first_step = model.step_factor * bound().at(sheet).step;
 
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
     Contact contact;

@@ -45,9 +45,9 @@ std::vector<Event> events_of(const Case& c)
 }
 
 /// The present stable step, never longer than the first.
-double present_step(const Model& model, const System& s)
+double present_step(const Model& model, const StepBound& bound, const System& s)
 {
-  const StableStep stable = stable_step(model.membrane, s.sheet, model.element_mass, model.shear_modulus);
+  const StableStep stable = bound.at(s.sheet);
   const double step = std::min(model.first_step, model.step_factor * stable.step);
   constexpr double collapse = 0.05;
   if (!(step > collapse * model.first_step))
@@ -61,12 +61,12 @@ double present_step(const Model& model, const System& s)
 }
 
 /// Steps evenly up to `time`, looking at the stable step now and then.
-void advance_to(double time, const Model& model, System& s, Recorder& recorder, Phases& phases,
-                Progress& progress, double end)
+void advance_to(double time, const Model& model, const StepBound& bound, System& s, Recorder& recorder,
+                Phases& phases, Progress& progress, double end)
 {
   constexpr int steps_between_looks = 100;
   while (s.sheet.time < time) {
-    const double wanted = present_step(model, s);
+    const double wanted = present_step(model, bound, s);
     phases.mark(Phase::stable_step);
     const auto left = static_cast<std::int64_t>(std::ceil((time - s.sheet.time) / wanted * (1.0 - 1e-9)));
     const double dt = (time - s.sheet.time) / static_cast<double>(left);
@@ -123,6 +123,7 @@ RunOutcome run(const Case& c, const RunOptions& options)
   Recorder recorder(c, model, options.directory);
   Progress progress(options.quiet);
   System s = start(model);
+  const StepBound bound(model.membrane, model.element_mass, model.shear_modulus);
   Summary& summary = recorder.summary();
   summary.threads = omp_get_max_threads();
   progress.line(headline(c, model, summary.threads));
@@ -134,7 +135,7 @@ RunOutcome run(const Case& c, const RunOptions& options)
     recorder.frame(s, progress);
     phases.mark(Phase::output);
     for (const Event& event : events_of(c)) {
-      advance_to(event.time, model, s, recorder, phases, progress, c.time.end);
+      advance_to(event.time, model, bound, s, recorder, phases, progress, c.time.end);
       recorder.history(s);
       if (event.frame) recorder.frame(s, progress);
       phases.mark(Phase::output);

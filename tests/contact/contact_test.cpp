@@ -1,0 +1,184 @@
+#include "contact/contact.hpp"
+#include "contact/shapes.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace towform {
+namespace {
+
+constexpr double dt = 1e-5, mass = 1e-3, half = 0.5e-3;
+
+/// One node of a sheet against one tool, under a body force.
+struct Block {
+  Tool tool;
+  ToolState tool_state;
+  Contact contact;
+  ContactState contact_state;
+  State s;
+  Vec3 weight;
+  double work = 0.0; ///< of the weight
+
+  Block(SurfaceMesh mesh, double friction, double damping, const Vec3& at)
+      : tool{"tool", ToolSurface(std::move(mesh)), friction, {}, {}, {0, 0, 1}, 0.0}
+  {
+    const double stiffness = 0.1 * mass / (dt * dt);
+    contact.half_thickness = half;
+    contact.stiffness = {stiffness};
+    contact.damping = {2.0 * damping * std::sqrt(stiffness * mass)};
+    s.position = {at};
+    s.velocity = {{}};
+    s.force = {{}};
+    start(contact, 1, contact_state);
+  }
+
+  void step()
+  {
+    const Vec3 before = s.position[0];
+    s.force[0] += weight;
+    s.velocity[0] += (dt / mass) * s.force[0];
+    s.position[0] += dt * s.velocity[0];
+    work += dot(weight, s.position[0] - before);
+    s.force[0] = {};
+    contact_forces(contact, tool, tool_state, contact_state, s, dt, norm(s.velocity[0]));
+  }
+  [[nodiscard]] double energy() const
+  {
+    const ContactEnergies& e = contact_state.energies;
+    const Vec3& v = s.velocity[0];
+    const double kinetic = 0.5 * (mass * norm_squared(v) + dt * dot(v, s.force[0] + weight));
+    return kinetic + e.elastic + e.friction + e.damping - work;
+  }
+};
+
+SurfaceMesh ground() { return test::box({-1, -1, -0.2}, {1, 1, 0}); }
+
+TEST(Contact, ABounceGivesItsEnergyBack)
+{
+  Block block(ground(), 0.0, 0.0, {0.13, 0.21, 0.01});
+  block.s.velocity[0] = {0.0, 0.0, -0.8};
+  const double start = 0.5 * mass * 0.64;
+  bool touched = false;
+  for (int i = 0; i < 3000; ++i) {
+    block.step();
+    touched = touched || block.contact_state.penetration > 0.0;
+  }
+  EXPECT_TRUE(touched);
+  EXPECT_NEAR(block.s.velocity[0].z, 0.8, 0.02);
+  EXPECT_NEAR(block.energy(), start,
+              0.04 * start); // the step in which contact closes is not resolved further
+}
+
+TEST(Contact, HoldsTheSheetOffByHalfItsThicknessOnEitherFace)
+{
+  for (const double side : {1.0, -1.0}) {
+    Block block(side > 0.0 ? ground() : test::box({-1, -1, 0}, {1, 1, 0.2}), 0.0, 0.3,
+                {0.1, 0.2, side * half});
+    block.weight = {0.0, 0.0, -side * 0.01};
+    for (int i = 0; i < 5000; ++i) block.step();
+    EXPECT_NEAR(block.s.position[0].z, side * (half - 0.01 / block.contact.stiffness[0]), 1e-12);
+    EXPECT_NEAR(block.tool_state.reaction.z, -side * 0.01, 1e-6);
+  }
+}
+
+TEST(Contact, SticksOnASlopeBelowTheFrictionAngleAndDoesNotCreep)
+{
+  Block block(ground(), 0.4, 0.3, {0.0, 0.0, half});
+  const double pull = 0.01 * 0.35; // weight on a slope of tan = 0.35
+  block.weight = {pull, 0.0, -0.01};
+  for (int i = 0; i < 20000; ++i) block.step();
+  const double settled = block.s.position[0].x;
+  EXPECT_NEAR(settled, pull / block.contact.stiffness[0], 0.2 * pull / block.contact.stiffness[0]);
+  for (int i = 0; i < 20000; ++i) block.step();
+  EXPECT_NEAR(block.s.position[0].x, settled, 1e-9);
+}
+
+TEST(Contact, SlidesAboveTheFrictionAngleWithTheRightAcceleration)
+{
+  Block block(ground(), 0.4, 0.3, {0.0, 0.0, half});
+  block.weight = {0.01 * 0.6, 0.0, -0.01};
+  const int steps = 20000;
+  for (int i = 0; i < steps; ++i) block.step();
+  const double acceleration = 0.01 * (0.6 - 0.4) / mass;
+  EXPECT_NEAR(block.s.velocity[0].x, acceleration * steps * dt, 2e-3 * acceleration * steps * dt);
+  EXPECT_NEAR(block.contact_state.energies.friction, 0.4 * 0.01 * block.s.position[0].x,
+              5e-3 * block.contact_state.energies.friction);
+  EXPECT_NEAR(block.energy(), 0.0, 5e-3 * block.work);
+}
+
+TEST(Contact, ABlockStopsWhereFrictionHasEatenItsEnergy)
+{
+  Block block(ground(), 0.3, 0.3, {0.0, 0.0, half});
+  block.weight = {0.0, 0.0, -0.01};
+  for (int i = 0; i < 2000; ++i) block.step(); // settle
+  block.s.velocity[0].x = 0.5;
+  for (int i = 0; i < 40000; ++i) block.step();
+  EXPECT_NEAR(block.s.position[0].x, 0.5 * mass * 0.25 / (0.3 * 0.01), 0.005 * 0.0417);
+  const double rest = block.s.position[0].x;
+  for (int i = 0; i < 20000; ++i) block.step();
+  EXPECT_NEAR(block.s.position[0].x, rest, 1e-8);
+}
+
+TEST(Contact, AMovingToolDragsTheSheetUntilItSlips)
+{
+  Block block(ground(), 0.3, 0.3, {0.0, 0.0, half});
+  block.tool.direction = {1, 0, 0};
+  block.weight = {0.0, 0.0, -0.01};
+  block.tool_state.velocity = 0.2;
+  for (int i = 0; i < 20000; ++i) {
+    block.tool_state.displacement += 0.2 * dt;
+    block.step();
+  }
+  EXPECT_NEAR(block.s.velocity[0].x, 0.2, 1e-4);
+}
+
+TEST(Contact, TheSearchMemoryNeverChangesTheForces)
+{
+  // A node wandering round a sphere: remembered facets against a fresh search at every step.
+  Tool tool{"ball", ToolSurface(test::sphere(0.05, 16)), 0.0, {}, {}, {0, 0, 1}, 0.0};
+  ToolState moving, fresh_tool;
+  Contact contact;
+  contact.half_thickness = half;
+  contact.stiffness = {1e4};
+  contact.damping = {0.0};
+  State s;
+  s.velocity = {{}};
+  ContactState remembered;
+  start(contact, 1, remembered);
+  int touching = 0;
+  Vec3 last{0.0505, 0.0, 0.0};
+  for (int i = 0; i < 20000; ++i) {
+    const double turn = 2e-3 * i;
+    const double r = 0.0503 + 6e-4 * std::sin(0.37 * turn);
+    const Vec3 x = r * Vec3{std::cos(turn) * std::cos(0.1 * turn), std::sin(turn) * std::cos(0.1 * turn),
+                            std::sin(0.1 * turn)};
+    s.position = {x};
+    s.force = {{}};
+    contact_forces(contact, tool, moving, remembered, s, dt, norm(x - last) / dt);
+    last = x;
+    const Vec3 force = s.force[0];
+    ContactState fresh;
+    start(contact, 1, fresh);
+    s.force = {{}};
+    contact_forces(contact, tool, fresh_tool, fresh, s, dt, 0.0);
+    ASSERT_EQ(force, s.force[0]) << "step " << i;
+    if (norm(force) > 0.0) ++touching;
+  }
+  EXPECT_GT(touching, 5000);
+  EXPECT_LT(touching, 15000);
+}
+
+TEST(Tool, AForcedToolAcceleratesAndItsWorkIsAccounted)
+{
+  Tool tool{"holder", ToolSurface(ground()), 0.0, {}, -35.0, {0, 0, 1}, 0.5};
+  ToolState s;
+  for (int i = 0; i < 1000; ++i) {
+    const double before = s.displacement;
+    advance(tool, s, i * dt, dt, dt);
+    account_work(tool, s, {}, s.displacement - before);
+  }
+  EXPECT_NEAR(s.velocity, -35.0 / 0.5 * 0.01, 1e-9);
+  EXPECT_NEAR(s.work, -35.0 * s.displacement, 1e-12);
+}
+
+} // namespace
+} // namespace towform
