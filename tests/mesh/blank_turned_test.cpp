@@ -55,10 +55,10 @@ TEST(TurnedGrid, FillsTheRectangleWithThePatternInside)
   const double edge = 0.0137;
   for (const Pattern pattern : grids) {
     for (const double angle : {1.0, 10.0, 30.0, 45.0, 60.0, 89.0, 135.0, -20.0, 200.0}) {
-      const SurfaceMesh mesh = turned_grid(sheet, edge, angle * degree, pattern);
+      const SurfaceMesh mesh = turned_grid(sheet, {edge, angle * degree, pattern});
       expect_fills_rectangle(mesh, sheet.low, sheet.high);
       EXPECT_EQ(static_cast<std::int64_t>(mesh.triangles.size()),
-                count_turned_grid(sheet, edge, angle * degree, pattern));
+                count_turned_grid(sheet, {edge, angle * degree, pattern}));
       std::size_t inside = 0;
       for (const Triangle& t : mesh.triangles) {
         double least = 1.0;
@@ -77,7 +77,8 @@ TEST(TurnedGrid, TrianglesAtTheSidesAreWellShaped)
   for (const Pattern pattern : grids) {
     for (int angle = 5; angle < 90; angle += 5) {
       // Measured: 24 degrees at worst.
-      EXPECT_GT(smallest_angle(turned_grid(sheet, 0.0091, angle * degree, pattern)), 22.0 * degree) << angle;
+      EXPECT_GT(smallest_angle(turned_grid(sheet, {0.0091, angle * degree, pattern})), 22.0 * degree)
+          << angle;
     }
   }
 }
@@ -88,10 +89,10 @@ TEST(TurnedGrid, KeepsThePatternUpToMirrorPlanesAt45Degrees)
   const double edge = 0.0137;
   for (const Pattern pattern : grids) {
     for (const double angle : {45.0, -45.0, 135.0}) {
-      const SurfaceMesh mesh = turned_grid(quarter, edge, angle * degree, pattern);
+      const SurfaceMesh mesh = turned_grid(quarter, {edge, angle * degree, pattern});
       expect_fills_rectangle(mesh, quarter.low, quarter.high);
       EXPECT_EQ(static_cast<std::int64_t>(mesh.triangles.size()),
-                count_turned_grid(quarter, edge, angle * degree, pattern));
+                count_turned_grid(quarter, {edge, angle * degree, pattern}));
       for (const Triangle& t : mesh.triangles) {
         double least = 1.0;
         for (const int k : t) least = std::min(least, distance_inside(mesh.points[k], sheet));
@@ -108,8 +109,8 @@ TEST(TurnedGrid, RectanglesSmallerThanACell)
 {
   for (const Pattern pattern : grids) {
     const Rectangle small{{-0.01, -0.005}, {0.01, 0.005}};
-    EXPECT_EQ(turned_grid(small, 1.0, 0.3, pattern).triangles.size(), 2u);
-    expect_fills_rectangle(turned_grid({{-1.0, -0.001}, {1.0, 0.001}}, 0.01, 0.3, pattern), {-1.0, -0.001},
+    EXPECT_EQ(turned_grid(small, {1.0, 0.3, pattern}).triangles.size(), 2u);
+    expect_fills_rectangle(turned_grid({{-1.0, -0.001}, {1.0, 0.001}}, {0.01, 0.3, pattern}), {-1.0, -0.001},
                            {1.0, 0.001});
   }
 }

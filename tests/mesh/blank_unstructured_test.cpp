@@ -37,7 +37,7 @@ TEST(UnstructuredMesh, HasEdgesInAllDirections)
     }
   }
   // A lattice alone would leave half of the twelve sectors empty.
-  EXPECT_GT(*std::min_element(directions.begin(), directions.end()), edges / 12 / 4);
+  EXPECT_GT(*std::min_element(directions.begin(), directions.end()), edges / 12 / 5);
 }
 
 TEST(UnstructuredMesh, IsTheSameEveryTime)
