@@ -136,7 +136,7 @@ TEST_F(Stl, WritesWhatItReads)
   SurfaceMesh mesh = welded_tetrahedron;
   for (Vec3& p : mesh.points) p = {0.3 * p.x + 0.1, 0.7 * p.y, -0.2 * p.z};
   std::swap(mesh.points[0], mesh.points[2]);
-  for (const std::string title : {"tool", "solid tool", std::string(200, 't').c_str()}) {
+  for (const auto& title : std::vector<std::string>{"tool", "solid tool", std::string(200, 't')}) {
     const fs::path path = folder_ / "out.stl";
     write_stl(path, mesh, title);
     EXPECT_EQ(fs::file_size(path), 84u + 50u * 4u);
