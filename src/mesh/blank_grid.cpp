@@ -15,7 +15,7 @@ std::pair<int, double> misfit(Vec2 size, GridCounts c, double cells)
   const double aspect = std::abs(std::log((size.x / c.x) / (size.y / c.y)));
   const double square = aspect / std::log(1.03);
   const int tier = count <= 1.0 && square <= 1.0 ? 0 : count <= 1.0 && aspect <= std::log(1.1) ? 1 : 2;
-  return {tier, count * count + square * square};
+  return {tier, count + square};
 }
 
 /// Grid points along one direction, from the centre or over the whole length: size i / cells, odd in i.

@@ -42,13 +42,15 @@ Vec2 lattice_point(const Lattice& lattice, int column, int row)
 {
   const double c = std::cos(lattice.angle), s = std::sin(lattice.angle);
   const double u = column * lattice.column_gap, v = row * lattice.row_gap;
-  return {u * c - v * s, u * s + v * c};
+  return {u * c - v * s + lattice.origin.x + 0.0,
+          u * s + v * c + lattice.origin.y + 0.0}; // no negative zeros
 }
 
 std::vector<LatticeRow> lattice_rows(const Lattice& lattice, const Rectangle& inside)
 {
-  const auto& [low, high] = inside;
-  if (low.x > high.x || low.y > high.y) return {};
+  if (inside.low.x > inside.high.x || inside.low.y > inside.high.y) return {};
+  const Vec2 low{inside.low.x - lattice.origin.x, inside.low.y - lattice.origin.y};
+  const Vec2 high{inside.high.x - lattice.origin.x, inside.high.y - lattice.origin.y};
   const double c = std::cos(lattice.angle), s = std::sin(lattice.angle);
   const auto [v_low, v_high] = std::minmax(
       {low.y * c - low.x * s, low.y * c - high.x * s, high.y * c - low.x * s, high.y * c - high.x * s});

@@ -11,12 +11,13 @@ struct Rectangle {
   Vec2 low, high;
 };
 
-/// A plane lattice through the origin: row `row` lies `row * row_gap` to the left of the line at `angle`, its
+/// A plane lattice through `origin`: row `row` lies `row * row_gap` to the left of the line at `angle`, its
 /// points are `column * column_gap` along it, column and row both even or both odd when `staggered`.
 struct Lattice {
   double angle = 0.0;                     ///< of the rows against x [rad]
   double column_gap = 1.0, row_gap = 1.0; ///< [m]
   bool staggered = false;
+  Vec2 origin{};
 };
 
 /// Points of one row of a lattice within a rectangle: columns first, first + step, …, count of them.
@@ -49,10 +50,21 @@ Rectangle shrunk(const Rectangle& rectangle, double clearance);
 /// The edge near `estimate` whose count of triangles comes closest to the wanted one.
 double edge_for_count(double wanted, double estimate, const std::function<std::int64_t(double)>& count);
 
-/// A square grid turned by any angle, in the inside of the rectangle, joined to the evenly divided sides.
-/// `edge` is that of a cell [m].
-SurfaceMesh turned_grid(const Rectangle& rectangle, double edge, double angle, Pattern pattern);
-std::int64_t count_turned_grid(const Rectangle& rectangle, double edge, double angle, Pattern pattern);
+/// A square grid turned by any angle, in the inside of a rectangle, joined to the evenly divided sides.
+struct TurnedGrid {
+  double edge = 1.0;  ///< of a cell [m]
+  double angle = 0.0; ///< of its lines against x [rad]
+  Pattern pattern = Pattern::diagonal;
+  double side = 1.0; ///< distance of the points on the sides over the cell's edge
+  Vec2 shift{};      ///< of the grid's origin from that of the blank, in edges along x and y
+};
+
+SurfaceMesh turned_grid(const Rectangle& rectangle, const TurnedGrid& grid);
+std::int64_t count_turned_grid(const Rectangle& rectangle, const TurnedGrid& grid);
+
+/// The grid whose triangles in the rectangle come closest to the wanted number; `estimate` of the edge [m].
+TurnedGrid turned_grid_for_elements(const Rectangle& rectangle, double wanted, double estimate, double angle,
+                                    Pattern pattern);
 
 /// Near-equilateral triangles of about this edge [m] in no particular direction.
 SurfaceMesh unstructured_mesh(const Rectangle& rectangle, double edge);

@@ -90,17 +90,16 @@ SurfaceMesh mesh_in_part(const BlankParameters& b)
     part.low.y = 0.0;
     share *= 0.5;
   }
-  const bool grid = b.pattern != Pattern::unstructured;
+  const double wanted = share * b.elements.value_or(0);
+  const double estimate =
+      b.edge ? *b.edge : std::sqrt(triangles_per_cell(b.pattern) * b.size.x * b.size.y / *b.elements);
+  if (b.pattern == Pattern::unstructured) {
+    const auto count = [&](double edge) { return count_unstructured_mesh(part, edge); };
+    return unstructured_mesh(part, b.edge ? *b.edge : edge_for_count(wanted, estimate, count));
+  }
   const double angle = b.fibre_angle + b.mesh_angle;
-  const auto count = [&](double edge) {
-    return grid ? count_turned_grid(part, edge, angle, b.pattern) : count_unstructured_mesh(part, edge);
-  };
-  const double edge =
-      b.edge ? *b.edge
-             : edge_for_count(share * *b.elements,
-                              std::sqrt(triangles_per_cell(b.pattern) * b.size.x * b.size.y / *b.elements),
-                              count);
-  return grid ? turned_grid(part, edge, angle, b.pattern) : unstructured_mesh(part, edge);
+  return turned_grid(part, b.edge ? TurnedGrid{*b.edge, angle, b.pattern}
+                                  : turned_grid_for_elements(part, wanted, estimate, angle, b.pattern));
 }
 
 } // namespace

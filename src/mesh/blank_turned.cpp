@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -15,20 +16,25 @@ constexpr double clearance = 0.65;
 
 /// Corners of the cells; with `cross` their centres too, on a staggered lattice of half the gap, where rows
 /// of corners are even and rows of centres odd.
-Lattice lattice_of(double edge, double angle, Pattern pattern)
+Lattice lattice_of(const TurnedGrid& g)
 {
-  if (pattern == Pattern::cross) return {angle, 0.5 * edge, 0.5 * edge, true};
-  return {angle, edge, edge, false};
+  const Vec2 origin{g.shift.x * g.edge, g.shift.y * g.edge};
+  if (g.pattern == Pattern::cross) return {g.angle, 0.5 * g.edge, 0.5 * g.edge, true, origin};
+  return {g.angle, g.edge, g.edge, false, origin};
+}
+
+bool is_diagonal(double angle)
+{
+  const double right_angle = 0.5 * std::numbers::pi;
+  return std::abs(std::remainder(angle - 0.5 * right_angle, right_angle)) < 1e-9;
 }
 
 /// At 45 degrees the grid is its own mirror image: the modelled part then has the grid's points on its mirror
 /// planes, where the diagonals of cells lie.
-Division division_of(double edge, double angle, Pattern pattern)
+Division division_of(const TurnedGrid& g)
 {
-  const double right_angle = 0.5 * std::numbers::pi;
-  const bool diagonal = std::abs(std::remainder(angle - 0.5 * right_angle, right_angle)) < 1e-9;
-  const double gap = (pattern == Pattern::cross ? std::numbers::sqrt2 / 2 : std::numbers::sqrt2) * edge;
-  return {edge, clearance * edge, diagonal ? gap : 0.0};
+  const double gap = (g.pattern == Pattern::cross ? std::numbers::sqrt2 / 2 : std::numbers::sqrt2) * g.edge;
+  return {g.side * g.edge, clearance * g.edge, is_diagonal(g.angle) ? gap : 0.0};
 }
 
 struct Key {
@@ -55,8 +61,9 @@ bool is_pattern_edge(Key a, Key b, Pattern pattern)
 std::optional<Key> key_at(const Vec2& p, const Lattice& lattice)
 {
   const double c = std::cos(lattice.angle), s = std::sin(lattice.angle);
-  const Key key{static_cast<int>(std::lround((p.x * c + p.y * s) / lattice.column_gap)),
-                static_cast<int>(std::lround((p.y * c - p.x * s) / lattice.row_gap))};
+  const double x = p.x - lattice.origin.x, y = p.y - lattice.origin.y;
+  const Key key{static_cast<int>(std::lround((x * c + y * s) / lattice.column_gap)),
+                static_cast<int>(std::lround((y * c - x * s) / lattice.row_gap))};
   const Vec2 q = lattice_point(lattice, key.column, key.row);
   const bool exists = !lattice.staggered || (key.column - key.row) % 2 == 0;
   if (!exists || std::hypot(p.x - q.x, p.y - q.y) > 1e-6 * lattice.row_gap) return {};
@@ -90,13 +97,14 @@ void restore_pattern(Triangulation& mesh, const std::vector<std::optional<Key>>&
 
 } // namespace
 
-SurfaceMesh turned_grid(const Rectangle& rectangle, double edge, double angle, Pattern pattern)
+SurfaceMesh turned_grid(const Rectangle& rectangle, const TurnedGrid& grid)
 {
-  const Lattice lattice = lattice_of(edge, angle, pattern);
-  std::vector<Vec2> points = divided_sides(rectangle, division_of(edge, angle, pattern));
+  const Lattice lattice = lattice_of(grid);
+  const Division division = division_of(grid);
+  std::vector<Vec2> points = divided_sides(rectangle, division);
   std::vector<std::optional<Key>> keys;
   for (const Vec2& p : points) keys.push_back(key_at(p, lattice));
-  for (const LatticeRow& row : lattice_rows(lattice, shrunk(rectangle, clearance * edge))) {
+  for (const LatticeRow& row : lattice_rows(lattice, shrunk(rectangle, division.clearance))) {
     for (int k = 0; k < row.count; ++k) {
       const int column = row.first + k * row.step;
       keys.push_back(Key{column, row.row});
@@ -104,13 +112,44 @@ SurfaceMesh turned_grid(const Rectangle& rectangle, double edge, double angle, P
     }
   }
   Triangulation triangulation = delaunay(points);
-  restore_pattern(triangulation, keys, pattern);
+  restore_pattern(triangulation, keys, grid.pattern);
   return flat_mesh(points, std::move(triangulation.triangles));
 }
 
-std::int64_t count_turned_grid(const Rectangle& rectangle, double edge, double angle, Pattern pattern)
+std::int64_t count_turned_grid(const Rectangle& rectangle, const TurnedGrid& grid)
 {
-  return count_triangles(lattice_of(edge, angle, pattern), rectangle, division_of(edge, angle, pattern));
+  return count_triangles(lattice_of(grid), rectangle, division_of(grid));
+}
+
+TurnedGrid turned_grid_for_elements(const Rectangle& rectangle, double wanted, double estimate, double angle,
+                                    Pattern pattern)
+{
+  // At 45 degrees whole rows of points enter at once on both sides. Where no mirror plane needs the grid's
+  // lines, half a row's shift gives the counts between; finer or coarser sides do a little everywhere.
+  std::vector<Vec2> shifts{{0.0, 0.0}};
+  if (is_diagonal(angle) && rectangle.low.x < 0.0 && rectangle.low.y < 0.0) {
+    const double half_row = 0.25 * std::numbers::sqrt2;
+    shifts.insert(shifts.end(), {{half_row, 0.0}, {0.0, half_row}, {half_row, half_row}});
+  }
+  TurnedGrid best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double side : {1.0, 0.9, 1.1, 0.8, 1.2}) {
+    for (const Vec2& shift : shifts) {
+      TurnedGrid g{estimate, angle, pattern, side, shift};
+      const auto count = [&](double edge) {
+        g.edge = edge;
+        return count_turned_grid(rectangle, g);
+      };
+      g.edge = edge_for_count(wanted, estimate, count);
+      const double error = std::abs(static_cast<double>(count_turned_grid(rectangle, g)) - wanted);
+      if (error < least) {
+        least = error;
+        best = g;
+      }
+    }
+    if (least <= 0.005 * wanted) break; // good enough to keep the better sides
+  }
+  return best;
 }
 
 } // namespace towform
