@@ -1,5 +1,6 @@
 #include "dome.hpp"
 #include "output/hdf5.hpp"
+#include "output/text_file.hpp"
 #include "temporary_directory.hpp"
 #include "towform/error.hpp"
 #include <csignal>
@@ -33,6 +34,21 @@ protected:
 
   SurfaceMesh mesh = dome::sheet(4); ///< 25 nodes, 32 elements
 };
+
+/// The FileError of an action that may not make a file larger than so many bytes.
+template <class Action>
+std::string with_room_for(std::uintmax_t bytes, Action action)
+{
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit limit{bytes, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  const std::string message = message_of<FileError>(action);
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  return message;
+}
 
 bool contains(const std::string& text, const std::string& part)
 {
@@ -166,6 +182,7 @@ TEST_F(Results, LoseOnlyTheFrameThatIsWrittenWhenTheProgramDies)
   const pid_t child = ::fork();
   ASSERT_GE(child, 0);
   if (child == 0) { // half of a frame, then death without a close
+    reserve_space(directory / "results.h5", 100'000);
     const hdf5::File file = open(hdf5::File::Mode::append);
     const hdf5::Group group = hdf5::create_group(file.id(), "frames/0001");
     const std::vector<double> half(75, 1.0);
@@ -188,22 +205,29 @@ TEST_F(Results, StayReadableWhenTheDiskIsFull)
   const std::filesystem::path path = directory / "results.h5";
   const std::uintmax_t size = std::filesystem::file_size(path);
 
-  rlimit before{};
-  ::getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit full{size + 100'000, before.rlim_max}; // a frame has about 290 kB
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  ::setrlimit(RLIMIT_FSIZE, &full);
-  const std::string message = message_of<FileError>([&] { writer.append(dome::frame(mesh, 1.0)); });
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-
+  const auto full_disk = [&](auto action) {
+    return with_room_for(size + 50'000, action);
+  }; // a frame has 290 kB
+  const std::string message = full_disk([&] { writer.append(dome::frame(mesh, 1.0)); });
   EXPECT_TRUE(contains(message, path.string() + ": no room for")) << message;
   EXPECT_EQ(writer.frames(), 1);
   EXPECT_EQ(std::filesystem::file_size(path), size);
   EXPECT_EQ(frames(), std::vector<std::string>{"0000"});
   EXPECT_EQ(values("frames/0000/position").size(), 3 * mesh.points.size());
+  full_disk([&] { writer.finish("done"); });
+  EXPECT_EQ(hdf5::text_attribute(open().id(), "status"), "running");
   writer.append(dome::frame(mesh, 1.0)); // there is room again
   EXPECT_EQ(frames().size(), 2U);
+}
+
+TEST_F(Results, AreNotReplacedWhenThereIsNoRoomForNewOnes)
+{
+  ResultsWriter(directory, mesh, dome::provenance()).append(dome::frame(mesh, 1.0));
+  const std::string message =
+      with_room_for(1000, [&] { ResultsWriter(directory, mesh, dome::provenance()); });
+  EXPECT_TRUE(contains(message, "no room for")) << message;
+  EXPECT_EQ(frames().size(), 1U);
+  EXPECT_TRUE(std::filesystem::exists(directory / "results.xdmf"));
 }
 
 TEST_F(Results, LeaveNoPartOfAFrameBehindWhenAnArrayHasAWrongLength)
@@ -221,6 +245,7 @@ TEST_F(Results, TakeNoMoreThanTheirNumbersAndALittle)
   mesh = dome::sheet(40);
   ResultsWriter writer(directory, mesh, dome::provenance());
   for (int i = 0; i < 5; ++i) writer.append(dome::frame(mesh, 0.25 * i));
+  writer.finish("done");
   const auto numbers = mesh.points.size() * (24 + 12 + 4) + mesh.triangles.size() * (7 * 4 + 24 + 8);
   const auto frame_size = std::filesystem::file_size(directory / "results.h5") / 5;
   EXPECT_LT(frame_size, numbers + 40'000); // the mesh, shared by the five frames, and headers
@@ -260,6 +285,7 @@ TEST_F(Results, IndexNamesDatasetsThatExistWithTheirShapes)
     EXPECT_EQ(std::stoul((*it)[3]), H5Tget_size(type.id())) << (*it)[4];
     EXPECT_EQ((*it)[2] == "Int", H5Tget_class(type.id()) == H5T_INTEGER) << (*it)[4];
   }
+  EXPECT_TRUE(contains(xdmf, "results.h5:/frames/0001/position<"));
   EXPECT_EQ(items, 2U * 15U); // triangles, reference and 13 fields in each frame
 }
 
@@ -291,7 +317,7 @@ TEST_F(Results, SayWhyTheyCannotBeWritten)
             (directory / "file/below").string() + ": the directory cannot be created: Not a directory");
   std::filesystem::create_directories(directory / "taken/results.h5");
   EXPECT_EQ(message(directory / "taken"),
-            (directory / "taken/results.h5").string() + ": cannot be created: Is a directory");
+            (directory / "taken/results.h5").string() + ": cannot be opened: Is a directory");
   if (::geteuid() != 0) { // nothing is denied to root
     std::filesystem::create_directory(directory / "denied");
     std::filesystem::permissions(directory / "denied", std::filesystem::perms::owner_read);
