@@ -108,7 +108,7 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const
 {
   make_directory(directory_);
   const fs::path path = results_path(directory_);
-  std::ofstream(path, std::ios::app); // there must be a file to reserve room behind
+  std::ofstream(path, std::ios::app).close(); // there must be a file to reserve room behind
   reserve_space(path, header_bytes + provenance.case_text.size() + provenance.resolved_case.size() +
                           nodes_ * sizeof(Vec3) + elements_ * sizeof(Triangle));
   std::error_code ignored; // an index of results that are about to be replaced
