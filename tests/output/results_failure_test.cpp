@@ -53,8 +53,8 @@ TEST_F(Results, LoseOnlyTheFrameThatIsWrittenWhenTheProgramDies)
     const hdf5::File file = open(hdf5::File::Mode::append);
     const hdf5::Group group = hdf5::create_group(file.id(), "frames/0001");
     const std::vector<double> half(75, 1.0);
-    const hdf5::Dataset dataset =
-        hdf5::write_dataset(group.id(), "position", {25, 3}, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, half.data());
+    (void)hdf5::write_dataset(group.id(), "position", {25, 3}, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE,
+                              half.data());
     ::_exit(0);
   }
   ::waitpid(child, nullptr, 0);
