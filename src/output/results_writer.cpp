@@ -5,6 +5,7 @@
 #include "towform/error.hpp"
 #include "towform/results.hpp"
 #include <fmt/format.h>
+#include <fstream>
 #include <stdexcept>
 
 namespace towform {
@@ -15,7 +16,9 @@ namespace {
 
 constexpr int schema_version = 1;
 
-// Room for a frame's headers, attributes and grown indices; a frame needs about 12 kB of them.
+// Room is reserved before HDF5 writes: a disk that fills up while it flushes leaves a file that nobody can
+// open, and a library that crashes when the program ends. This much is for headers, attributes and grown
+// indices; a frame needs about 12 kB of them.
 constexpr std::size_t header_bytes = 65536;
 
 fs::path results_path(const fs::path& directory) { return directory / "results.h5"; }
@@ -104,9 +107,13 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const
     : directory_(std::move(directory)), nodes_(blank.points.size()), elements_(blank.triangles.size())
 {
   make_directory(directory_);
+  const fs::path path = results_path(directory_);
+  std::ofstream(path, std::ios::app).close(); // there must be a file to reserve room behind
+  reserve_space(path, header_bytes + provenance.case_text.size() + provenance.resolved_case.size() +
+                          nodes_ * sizeof(Vec3) + elements_ * sizeof(Triangle));
   std::error_code ignored; // an index of results that are about to be replaced
   fs::remove(directory_ / "results.xdmf", ignored);
-  hdf5::File file = hdf5::File::create(results_path(directory_));
+  hdf5::File file = hdf5::File::create(path);
   write_provenance(file, provenance);
   write_mesh(file, blank);
   hdf5::create_group(file.id(), "frames");
@@ -116,7 +123,6 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const
 void ResultsWriter::append(const Frame& frame)
 {
   const fs::path path = results_path(directory_);
-  // A disk that fills up while HDF5 flushes leaves a file that nobody can open; ask first.
   reserve_space(path, frame_bytes(frame, nodes_, elements_));
   hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
   {
@@ -133,7 +139,9 @@ void ResultsWriter::append(const Frame& frame)
 
 void ResultsWriter::finish(const std::string& status)
 {
-  hdf5::File file = hdf5::File::open(results_path(directory_), hdf5::File::Mode::append);
+  const fs::path path = results_path(directory_);
+  reserve_space(path, header_bytes + status.size());
+  hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
   hdf5::write_attribute(file.id(), "status", status);
   file.close();
 }

@@ -28,13 +28,13 @@ class Plot(unittest.TestCase):
         self.addCleanup(self.temporary.cleanup)
         self.directory = Path(self.temporary.name)
 
-    def draw(self, *arguments):
+    def draw(self, *arguments, width=800, height=500):
         picture = self.directory / "picture.png"
         with contextlib.redirect_stdout(io.StringIO()) as printed:  # in this process: a start takes a second
-            code = plot_module.main([str(RESULTS), "-o", str(picture), "--size", "800x500", *arguments])
+            code = plot_module.main([str(RESULTS), "-o", str(picture), "--size", f"{width}x{height}", *arguments])
         self.assertEqual((code, printed.getvalue()), (0, f"{picture}\n"))
         pixels = matplotlib.image.imread(picture)
-        self.assertEqual(pixels.shape[:2], (500, 800))
+        self.assertEqual(pixels.shape[:2], (height, width))
         return pixels[..., :3]
 
     def refuse(self, code, message, *arguments):
@@ -52,7 +52,7 @@ class Plot(unittest.TestCase):
         with h5py.File(RESULTS / "results.h5") as file:
             fields = list(file["frames/0000"])
         for number, field in enumerate(fields):
-            pixels = self.draw("--field", field, "--view", ("iso", "top", "side")[number % 3], "--frame", "-2")
+            pixels = self.draw("--field", field, "--view", ("iso", "top", "side")[number % 3], "--frame", "-2", width=320, height=200)
             self.assertGreater((pixels.min(axis=2) < 0.9).mean(), 0.02, field)
 
     def test_top_view_has_the_sheets_shape_and_colour(self):

@@ -1,45 +1,7 @@
-#include "dome.hpp"
-#include "output/hdf5.hpp"
-#include "temporary_directory.hpp"
-#include "towform/error.hpp"
-#include <csignal>
-#include <fcntl.h>
+#include "results_fixture.hpp"
 #include <map>
-#include <regex>
-#include <sys/file.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 
 namespace towform {
-
-namespace {
-
-class Results : public TemporaryDirectory {
-protected:
-  hdf5::File open(hdf5::File::Mode mode = hdf5::File::Mode::read) const
-  {
-    return hdf5::File::open(directory / "results.h5", mode);
-  }
-  std::vector<std::string> frames() const
-  {
-    const hdf5::File file = open();
-    return hdf5::link_names(hdf5::open_group(file.id(), "frames").id());
-  }
-  std::vector<double> values(const std::string& path) const
-  {
-    const hdf5::File file = open();
-    return hdf5::read_numbers(hdf5::open_dataset(file.id(), path));
-  }
-
-  SurfaceMesh mesh = dome::sheet(4); ///< 25 nodes, 32 elements
-};
-
-bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
-
-} // namespace
 
 TEST_F(Results, HoldTheMeshAndWhereTheyCameFrom)
 {
@@ -145,122 +107,15 @@ TEST_F(Results, KeepPositionsToTheBitAndTheRestToSevenDigits)
   EXPECT_EQ(value("contact_pressure", 24), single(42.1));
 }
 
-TEST_F(Results, CanBeReadAfterEveryFrameAndWhileAReaderHoldsThemOpen)
-{
-  ResultsWriter writer(directory, mesh, dome::provenance());
-  EXPECT_TRUE(frames().empty());
-  const int reader = ::open((directory / "results.h5").c_str(), O_RDONLY);
-  ASSERT_EQ(::flock(reader, LOCK_SH), 0); // as HDF5 does in a program that reads
-  for (int i = 0; i < 3; ++i) {
-    writer.append(dome::frame(mesh, i / 2.0));
-    EXPECT_EQ(writer.frames(), i + 1);
-  }
-  ::close(reader);
-  EXPECT_EQ(frames(), (std::vector<std::string>{"0000", "0001", "0002"}));
-}
-
-TEST_F(Results, LoseOnlyTheFrameThatIsWrittenWhenTheProgramDies)
-{
-  ResultsWriter writer(directory, mesh, dome::provenance());
-  writer.append(dome::frame(mesh, 0.5));
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) { // half of a frame, then death without a close
-    const hdf5::File file = open(hdf5::File::Mode::append);
-    const hdf5::Group group = hdf5::create_group(file.id(), "frames/0001");
-    const std::vector<double> half(75, 1.0);
-    const hdf5::Dataset dataset =
-        hdf5::write_dataset(group.id(), "position", {25, 3}, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, half.data());
-    ::_exit(0);
-  }
-  ::waitpid(child, nullptr, 0);
-  EXPECT_EQ(frames(), std::vector<std::string>{"0000"});
-  writer.append(dome::frame(mesh, 1.0));
-  EXPECT_EQ(frames(), (std::vector<std::string>{"0000", "0001"}));
-  EXPECT_EQ(values("frames/0001/position")[2], dome::frame(mesh, 1.0).position[0].z);
-}
-
-TEST_F(Results, StayReadableWhenTheDiskIsFull)
-{
-  mesh = dome::sheet(40);
-  ResultsWriter writer(directory, mesh, dome::provenance());
-  writer.append(dome::frame(mesh, 0.5));
-  const std::filesystem::path path = directory / "results.h5";
-  const std::uintmax_t size = std::filesystem::file_size(path);
-
-  rlimit before{};
-  ::getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit full{size + 100'000, before.rlim_max}; // a frame has about 290 kB
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  ::setrlimit(RLIMIT_FSIZE, &full);
-  const std::string message = message_of<FileError>([&] { writer.append(dome::frame(mesh, 1.0)); });
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
-
-  EXPECT_TRUE(contains(message, path.string() + ": no room for")) << message;
-  EXPECT_EQ(writer.frames(), 1);
-  EXPECT_EQ(std::filesystem::file_size(path), size);
-  EXPECT_EQ(frames(), std::vector<std::string>{"0000"});
-  EXPECT_EQ(values("frames/0000/position").size(), 3 * mesh.points.size());
-  writer.append(dome::frame(mesh, 1.0)); // there is room again
-  EXPECT_EQ(frames().size(), 2U);
-}
-
-TEST_F(Results, LeaveNoPartOfAFrameBehindWhenAnArrayHasAWrongLength)
-{
-  ResultsWriter writer(directory, mesh, dome::provenance());
-  Frame frame = dome::frame(mesh, 1.0);
-  frame.thickness.pop_back();
-  EXPECT_EQ(message_of<std::invalid_argument>([&] { writer.append(frame); }),
-            "frame: thickness has 31 rows instead of 32");
-  EXPECT_TRUE(frames().empty());
-}
-
 TEST_F(Results, TakeNoMoreThanTheirNumbersAndALittle)
 {
   mesh = dome::sheet(40);
   ResultsWriter writer(directory, mesh, dome::provenance());
   for (int i = 0; i < 5; ++i) writer.append(dome::frame(mesh, 0.25 * i));
+  writer.finish("done");
   const auto numbers = mesh.points.size() * (24 + 12 + 4) + mesh.triangles.size() * (7 * 4 + 24 + 8);
   const auto frame_size = std::filesystem::file_size(directory / "results.h5") / 5;
   EXPECT_LT(frame_size, numbers + 40'000); // the mesh, shared by the five frames, and headers
-}
-
-TEST_F(Results, AreIndexedForParaViewAfterEveryFrame)
-{
-  ResultsWriter writer(directory, mesh, dome::provenance());
-  EXPECT_FALSE(std::filesystem::exists(directory / "results.xdmf"));
-  for (int i = 0; i < 3; ++i) {
-    writer.append(dome::frame(mesh, i / 2.0));
-    const std::string xdmf = text_of(directory / "results.xdmf");
-    const std::regex time("<Time Value=\"([^\"]*)\"/>");
-    std::vector<std::string> times;
-    for (std::sregex_iterator it(xdmf.begin(), xdmf.end(), time), end; it != end; ++it)
-      times.push_back((*it)[1]);
-    const std::vector<std::string> all{"0", "0.03", "0.06"};
-    EXPECT_EQ(times, std::vector<std::string>(all.begin(), all.begin() + i + 1));
-  }
-  EXPECT_FALSE(std::filesystem::exists(directory / "results.xdmf.new"));
-}
-
-TEST_F(Results, IndexNamesDatasetsThatExistWithTheirShapes)
-{
-  ResultsWriter writer(directory, mesh, dome::provenance());
-  writer.append(dome::frame(mesh, 0.0));
-  writer.append(dome::frame(mesh, 1.0));
-  const std::string xdmf = text_of(directory / "results.xdmf");
-  const std::regex item("<DataItem Dimensions=\"([0-9 ]+)\" NumberType=\"(Int|Float)\" Precision=\"([48])\" "
-                        "Format=\"HDF\">results.h5:([^<]+)</DataItem>");
-  const hdf5::File file = open();
-  std::size_t items = 0;
-  for (std::sregex_iterator it(xdmf.begin(), xdmf.end(), item), end; it != end; ++it, ++items) {
-    const hdf5::Dataset dataset = hdf5::open_dataset(file.id(), (*it)[4]);
-    EXPECT_EQ((*it)[1], fmt::format("{}", fmt::join(hdf5::shape_of(dataset), " "))) << (*it)[4];
-    const hdf5::Type type(H5Dget_type(dataset.id()));
-    EXPECT_EQ(std::stoul((*it)[3]), H5Tget_size(type.id())) << (*it)[4];
-    EXPECT_EQ((*it)[2] == "Int", H5Tget_class(type.id()) == H5T_INTEGER) << (*it)[4];
-  }
-  EXPECT_EQ(items, 2U * 15U); // triangles, reference and 13 fields in each frame
 }
 
 TEST_F(Results, ReplaceThoseOfAnEarlierRun)
@@ -278,34 +133,6 @@ TEST_F(Results, GoIntoANewDirectoryAndItsParents)
 {
   const ResultsWriter writer(directory / "a/b", mesh, dome::provenance());
   EXPECT_TRUE(std::filesystem::is_regular_file(directory / "a/b/results.h5"));
-}
-
-TEST_F(Results, SayWhyTheyCannotBeWritten)
-{
-  const auto message = [&](const std::filesystem::path& where) {
-    return message_of<FileError>([&] { ResultsWriter(where, mesh, dome::provenance()); });
-  };
-  std::ofstream(directory / "file") << "text";
-  EXPECT_EQ(message(directory / "file"), (directory / "file").string() + ": is a file, not a directory");
-  EXPECT_EQ(message(directory / "file/below"),
-            (directory / "file/below").string() + ": the directory cannot be created: Not a directory");
-  std::filesystem::create_directories(directory / "taken/results.h5");
-  EXPECT_EQ(message(directory / "taken"),
-            (directory / "taken/results.h5").string() + ": cannot be created: Is a directory");
-  if (::geteuid() != 0) { // nothing is denied to root
-    std::filesystem::create_directory(directory / "denied");
-    std::filesystem::permissions(directory / "denied", std::filesystem::perms::owner_read);
-    EXPECT_TRUE(contains(message(directory / "denied"), "Permission denied"));
-    std::filesystem::permissions(directory / "denied", std::filesystem::perms::owner_all);
-  }
-}
-
-TEST_F(Results, SayWhichFileIsGoneWhenAFrameIsAppended)
-{
-  ResultsWriter writer(directory, mesh, dome::provenance());
-  std::filesystem::remove(directory / "results.h5");
-  EXPECT_EQ(message_of<FileError>([&] { writer.append(dome::frame(mesh, 1.0)); }),
-            (directory / "results.h5").string() + ": cannot be opened: No such file or directory");
 }
 
 } // namespace towform
