@@ -13,6 +13,7 @@ struct DoubleDome {
   DomeSurface surface;
   Plan plan;
   double depth, gap, fillet, skirt, base, sheet, chord_error;
+  double dome_fillet_start; ///< the same all round a dome, so found once
 
   [[nodiscard]] double apex_start() const { return sheet / 2.0; }
   [[nodiscard]] double apex_closed() const { return sheet / 2.0 - depth; }
@@ -21,13 +22,17 @@ struct DoubleDome {
   {
     return surface.point(u, s) + distance * surface.normal(u, s) + Vec3{0.0, 0.0, apex_closed()};
   }
-  [[nodiscard]] double fillet_start(double u) const;
+  [[nodiscard]] double solve_fillet_start(double u) const;
+  [[nodiscard]] double fillet_start(double u) const
+  {
+    return u < 1.0 ? solve_fillet_start(u) : dome_fillet_start;
+  }
   [[nodiscard]] Edge flange_edge(double u) const;
 };
 
 /// The s at which a ball of the fillet's radius, rolling on the cavity's far side, touches the flange's
 /// plane.
-double DoubleDome::fillet_start(double u) const
+double DoubleDome::solve_fillet_start(double u) const
 {
   const auto too_high = [&](double s) { return offset(u, s, gap + fillet).z > flange_z() - fillet; };
   double low = 0.0, high = surface.s_at_rise(depth + gap + fillet);
@@ -143,6 +148,7 @@ SurfaceMesh build_double_dome(const std::string& part, const Values& v)
   d.base = v["base"];
   d.sheet = v["sheet-thickness"];
   d.chord_error = v["chord-error"];
+  d.dome_fillet_start = d.solve_fillet_start(1.0);
   check(d); // whatever the part: the three must match
   if (part == "punch") return punch(d.plan, d.surface, d.apex_start(), d.depth + d.skirt, d.chord_error);
   if (part == "die") return die(d);

@@ -100,7 +100,7 @@ void check_flat_face(const Plan& plan, const Curve& inner, const std::string& wh
     x = std::max(x, p.x);
     y = std::max(y, p.y);
   }
-  constexpr double least = 1e-3;
+  constexpr double least = 5e-3; // of flat face
   if (x + least > plan.half_length)
     throw std::invalid_argument(
         fmt::format("flange-length = {} leaves no flat face: {} reaches {} from the middle",

@@ -26,6 +26,11 @@ Curve Plan::rectangle(double z) const
   };
 }
 
+double Plan::corner() const
+{
+  return 2.0 - std::atan2(half_width, half_length - centre) * 2.0 / std::numbers::pi;
+}
+
 std::size_t Plan::rectangle_join(double spacing) const { return has_middle() ? count(centre, spacing) : 0; }
 
 std::vector<Vec3> Plan::rectangle_points(double z, double spacing) const
@@ -38,6 +43,34 @@ std::vector<Vec3> Plan::rectangle_points(double z, double spacing) const
     points.push_back({centre + (half_length - centre) * i / side, half_width, z});
   for (int i = 0; i <= end; ++i) points.push_back({half_length, half_width * (end - i) / end, z});
   return points;
+}
+
+Ring Plan::even_ring(Quarter& quarter, const Curve& curve, double spacing) const
+{
+  std::vector<Vec3> points;
+  const auto add = [&](double from, double to) {
+    constexpr int samples = 64;
+    std::vector<double> length{0.0};
+    Vec3 last = curve(from);
+    for (int i = 1; i <= samples; ++i) {
+      const Vec3 next = curve(std::lerp(from, to, static_cast<double>(i) / samples));
+      length.push_back(length.back() + norm(next - last));
+      last = next;
+    }
+    const int n = count(length.back(), spacing);
+    for (int i = 0, k = 0; i < n; ++i) {
+      const double wanted = length.back() * i / n;
+      while (length[k + 1] < wanted) ++k;
+      const double part = (wanted - length[k]) / (length[k + 1] - length[k]);
+      points.push_back(curve(std::lerp(from, to, (k + part) / samples)));
+    }
+  };
+  if (has_middle()) add(0.0, 1.0);
+  const std::size_t join = points.size();
+  add(1.0, corner());
+  add(corner(), 2.0);
+  points.push_back(curve(2.0));
+  return quarter.ring(std::move(points), join);
 }
 
 Ring Plan::spine(Quarter& quarter, double z, int intervals) const
@@ -64,13 +97,15 @@ std::vector<Ring> Plan::between(Quarter& quarter, const Curve& from, const Curve
 {
   constexpr int samples = 16;
   const double start = has_middle() ? 0.0 : 1.0;
-  double distance = 0.0;
+  double distance = 0.0, least = half_length;
   for (int i = 0; i <= samples; ++i) {
     const double u = start + (2.0 - start) * i / samples;
     distance += norm(to(u) - from(u)) / (samples + 1);
+    least = std::min(least, norm(to(u) - from(u)));
   }
-  h_from = std::min(h_from, distance / 2.0);
-  h_to = std::min(h_to, distance / 2.0);
+  // Where the curves come close, chords of coarser rings would cross their neighbours.
+  h_from = std::min({h_from, distance / 2.0, 2.0 * least});
+  h_to = std::min({h_to, distance / 2.0, 2.0 * least});
   // A geometric series from h_from to h_to that adds up to the distance.
   const double ratio = (distance - h_from) / (distance - h_to);
   const bool uniform = std::abs(ratio - 1.0) < 1e-6;
@@ -86,7 +121,7 @@ std::vector<Ring> Plan::between(Quarter& quarter, const Curve& from, const Curve
       const Vec3 a = from(u), b = to(u);
       return Vec3{(1.0 - t) * a.x + t * b.x, (1.0 - t) * a.y + t * b.y, a.z}; // flat to the bit
     };
-    rings.push_back(quarter.ring(blend, intervals(blend, even(h_from * std::pow(ratio, i)))));
+    rings.push_back(even_ring(quarter, blend, h_from * std::pow(ratio, i)));
   }
   return rings;
 }

@@ -9,12 +9,13 @@ struct Plan {
   double centre = 0.0;                        ///< x of the dome centre, m; 0: one dome only
 
   [[nodiscard]] bool has_middle() const { return centre > 0.0; }
-  [[nodiscard]] Along<double> even(double spacing) const { return {has_middle() ? spacing : 0.0, spacing}; }
 
   /// The rim at height z, reached from the line of centres straight out and from the dome centre along rays.
   [[nodiscard]] Curve rectangle(double z) const;
   /// The rim's points, the corner among them.
   [[nodiscard]] std::vector<Vec3> rectangle_points(double z, double spacing) const;
+  /// u of the rim's corner.
+  [[nodiscard]] double corner() const;
   /// How many of `rectangle_points` lie before u = 1.
   [[nodiscard]] std::size_t rectangle_join(double spacing) const;
 
@@ -27,6 +28,10 @@ struct Plan {
   /// `h_to`.
   [[nodiscard]] std::vector<Ring> between(Quarter& quarter, const Curve& from, const Curve& to, double h_from,
                                           double h_to) const;
+
+private:
+  /// Evenly spaced on a curve, u = 1 and the corner among them.
+  [[nodiscard]] Ring even_ring(Quarter& quarter, const Curve& curve, double spacing) const;
 };
 
 } // namespace towform::shapes
