@@ -21,7 +21,9 @@ std::vector<Case> cases()
       {"double-dome", {{"flange-length", 470 * mm}, {"flange-width", 270 * mm}, {"chord-error", 0.1 * mm}}},
       {"double-dome", {{"waist-half-width", 35 * mm}, {"chord-error", 0.05 * mm}}},
       {"double-dome", {{"dome-distance", 60 * mm}, {"waist-half-width", 62 * mm}, {"chord-error", 1 * mm}}},
+      {"double-dome", {{"dome-distance", 500 * mm}, {"draft", 17 * degree}, {"chord-error", 0.5 * mm}}},
       {"hemisphere", {}},
+      {"hemisphere", {{"opening-radius", 150 * mm}, {"chord-error", 0.1 * mm}}},
       {"hemisphere", {{"depth", 90 * mm}, {"chord-error", 0.5 * mm}, {"flange-width", 220 * mm}}},
       {"hemisphere", {{"dome-radius", 30 * mm}, {"holder-clearance", 5 * mm}, {"flange-length", 900 * mm}}},
   };

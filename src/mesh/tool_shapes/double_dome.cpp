@@ -122,13 +122,14 @@ SurfaceMesh die(const DoubleDome& d)
   const double wall_radius = edge(2.0).centre.x - d.plan.centre - d.fillet;
   const Facets facets = edge_facets(d.plan, d.fillet, {outline, 1.0 / wall_radius}, budget);
   add(rounded_edge(quarter, edge, d.fillet, {0.0, 0.0, 1.0}, facets));
-  add(d.plan.between(quarter, flange_start, d.plan.rectangle(d.flange_z()), facets.along.dome, flat_spacing));
+  add(d.plan.between(quarter, flange_start, d.plan.rectangle(d.flange_z()), facets.along.dome, flat_spacing,
+                     true));
 
-  const std::size_t join = d.plan.rectangle_join(flat_spacing);
   const double bottom = d.apex_closed() - d.gap - d.base;
-  rings.push_back(quarter.ring(d.plan.rectangle_points(d.flange_z(), flat_spacing), join));
-  rings.push_back(quarter.ring(d.plan.rectangle_points(bottom, flat_spacing), join));
-  add(d.plan.between(quarter, d.plan.rectangle(bottom), d.plan.spine(bottom), flat_spacing, flat_spacing));
+  rings.push_back(d.plan.rim(quarter, d.flange_z(), flat_spacing));
+  rings.push_back(d.plan.rim(quarter, bottom, flat_spacing));
+  add(d.plan.between(quarter, d.plan.rectangle(bottom), d.plan.spine(bottom), flat_spacing, flat_spacing,
+                     true));
   rings.push_back(d.plan.spine(quarter, bottom, flat_spacing));
   quarter.loft(rings);
   return quarter.mirrored();

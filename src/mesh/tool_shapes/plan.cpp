@@ -31,21 +31,19 @@ double Plan::corner() const
   return 2.0 - std::atan2(half_width, half_length - centre) * 2.0 / std::numbers::pi;
 }
 
-std::size_t Plan::rectangle_join(double spacing) const { return has_middle() ? count(centre, spacing) : 0; }
-
-std::vector<Vec3> Plan::rectangle_points(double z, double spacing) const
+Ring Plan::rim(Quarter& quarter, double z, double spacing) const
 {
   std::vector<Vec3> points;
-  const int middle = static_cast<int>(rectangle_join(spacing));
+  const int middle = has_middle() ? count(centre, spacing) : 0;
   const int side = count(half_length - centre, spacing), end = count(half_width, spacing);
   for (int i = 0; i < middle; ++i) points.push_back({centre * i / middle, half_width, z});
   for (int i = 0; i < side; ++i)
     points.push_back({centre + (half_length - centre) * i / side, half_width, z});
   for (int i = 0; i <= end; ++i) points.push_back({half_length, half_width * (end - i) / end, z});
-  return points;
+  return quarter.ring(std::move(points), middle, middle + side);
 }
 
-Ring Plan::even_ring(Quarter& quarter, const Curve& curve, double spacing) const
+Ring Plan::even_ring(Quarter& quarter, const Curve& curve, double spacing, bool cornered) const
 {
   std::vector<Vec3> points;
   const auto add = [&](double from, double to) {
@@ -67,10 +65,16 @@ Ring Plan::even_ring(Quarter& quarter, const Curve& curve, double spacing) const
   };
   if (has_middle()) add(0.0, 1.0);
   const std::size_t join = points.size();
-  add(1.0, corner());
-  add(corner(), 2.0);
+  std::size_t at_corner = 0;
+  if (cornered) {
+    add(1.0, corner());
+    at_corner = points.size();
+    add(corner(), 2.0);
+  } else {
+    add(1.0, 2.0);
+  }
   points.push_back(curve(2.0));
-  return quarter.ring(std::move(points), join);
+  return quarter.ring(std::move(points), join, at_corner);
 }
 
 Ring Plan::spine(Quarter& quarter, double z, int intervals) const
@@ -93,7 +97,7 @@ Curve Plan::spine(double z) const
 }
 
 std::vector<Ring> Plan::between(Quarter& quarter, const Curve& from, const Curve& to, double h_from,
-                                double h_to) const
+                                double h_to, bool cornered) const
 {
   constexpr int samples = 16;
   const double start = has_middle() ? 0.0 : 1.0;
@@ -121,7 +125,7 @@ std::vector<Ring> Plan::between(Quarter& quarter, const Curve& from, const Curve
       const Vec3 a = from(u), b = to(u);
       return Vec3{(1.0 - t) * a.x + t * b.x, (1.0 - t) * a.y + t * b.y, a.z}; // flat to the bit
     };
-    rings.push_back(even_ring(quarter, blend, h_from * std::pow(ratio, i)));
+    rings.push_back(even_ring(quarter, blend, h_from * std::pow(ratio, i), cornered));
   }
   return rings;
 }
