@@ -249,8 +249,9 @@ TEST(ToolSurface, NormalsAreThoseOfTheSurface)
 {
   const shapes::DomeSurface s{.radius = 65 * mm, .waist = 40 * mm, .centre = 70 * mm, .draft = 10 * degree};
   constexpr double e = 1e-6;
-  for (double u = 0.05; u < 2.0; u += 0.1)
-    for (double v = 0.05; v < 1.9; v += 0.1) {
+  for (int i = 0; i < 20; ++i)
+    for (int k = 0; k < 19; ++k) {
+      const double u = 0.05 + 0.1 * i, v = 0.05 + 0.1 * k;
       const Vec3 along = normalized(s.point(u + e, v) - s.point(u - e, v));
       const Vec3 up = normalized(s.point(u, v + e) - s.point(u, v - e));
       const Vec3 n = normalized(cross(along, up)); // out of the punch, by the direction of u

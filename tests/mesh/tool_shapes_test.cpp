@@ -1,5 +1,6 @@
 #include "mesh/tool_shapes_helpers.hpp"
 #include <gtest/gtest.h>
+#include <ostream>
 #include <set>
 #include <tuple>
 
@@ -10,6 +11,14 @@ struct Case {
   std::string shape, part;
   Changes changes;
 };
+
+std::string described(const std::string& shape, const std::string& part, const Changes& changes)
+{
+  std::string text = shape + " " + part;
+  for (const auto& [name, value] : changes) text += " " + name + "=" + std::to_string(value);
+  return text;
+}
+void PrintTo(const Case& c, std::ostream* out) { *out << described(c.shape, c.part, c.changes); }
 
 std::vector<Case> cases()
 {
@@ -175,6 +184,8 @@ struct Contradiction {
   Changes changes;
   std::vector<std::string> said; ///< in the message
 };
+
+void PrintTo(const Contradiction& c, std::ostream* out) { *out << described(c.shape, c.part, c.changes); }
 
 class Contradictions : public ::testing::TestWithParam<Contradiction> {};
 INSTANTIATE_TEST_SUITE_P(

@@ -42,6 +42,7 @@ std::vector<Ring> rounded_edge(Quarter& quarter, const EdgeCurve& edge, double r
   const Along<int> last = intervals(arc(1.0), facets.along);
   n = {std::max(n.middle, last.middle), std::max(n.dome, last.dome)};
   std::vector<Ring> rings;
+  rings.reserve(steps + 1);
   for (int i = 0; i < steps; ++i) rings.push_back(quarter.ring(arc(static_cast<double>(i) / steps), n));
   // The last ring is flat to the bit when `end` is vertical and the centres lie at one height.
   const Curve flat = [&](double u) { return edge(u).centre + radius * end; };

@@ -36,6 +36,7 @@ Ring Plan::rim(Quarter& quarter, double z, double spacing) const
   std::vector<Vec3> points;
   const int middle = has_middle() ? count(centre, spacing) : 0;
   const int side = count(half_length - centre, spacing), end = count(half_width, spacing);
+  points.reserve(middle + side + end + 1);
   for (int i = 0; i < middle; ++i) points.push_back({centre * i / middle, half_width, z});
   for (int i = 0; i < side; ++i)
     points.push_back({centre + (half_length - centre) * i / side, half_width, z});
@@ -49,6 +50,7 @@ Ring Plan::even_ring(Quarter& quarter, const Curve& curve, double spacing, bool 
   const auto add = [&](double from, double to) {
     constexpr int samples = 64;
     std::vector<double> length{0.0};
+    length.reserve(samples + 1);
     Vec3 last = curve(from);
     for (int i = 1; i <= samples; ++i) {
       const Vec3 next = curve(std::lerp(from, to, static_cast<double>(i) / samples));
@@ -117,6 +119,7 @@ std::vector<Ring> Plan::between(Quarter& quarter, const Curve& from, const Curve
       std::max(1, static_cast<int>(std::lround(uniform ? distance / h_from
                                                        : 1.0 + std::log(h_to / h_from) / std::log(ratio))));
   std::vector<double> position{0.0}; // summed heights
+  position.reserve(n + 1);
   for (int i = 0; i < n; ++i) position.push_back(position.back() + h_from * std::pow(ratio, i));
   std::vector<Ring> rings;
   for (int i = 1; i < n; ++i) {
