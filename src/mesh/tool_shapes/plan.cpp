@@ -83,6 +83,7 @@ Ring Plan::spine(Quarter& quarter, double z, int intervals) const
 {
   std::vector<Vec3> points;
   const int n = has_middle() ? std::max(1, intervals) : 0;
+  points.reserve(n + 1);
   for (int i = 0; i < n; ++i) points.push_back({centre * i / n, 0.0, z});
   points.push_back({centre, 0.0, z});
   return quarter.ring(std::move(points), n);
