@@ -234,7 +234,11 @@ TEST_P(Contradictions, AreNamedWithTheirValues)
 
 TEST(ToolShapes, WantAValueForEveryParameter)
 {
-  EXPECT_THROW(static_cast<void>(shape("hemisphere").build("die", {0.075})), std::invalid_argument);
+  std::vector<double> values = shape("hemisphere").defaults();
+  values.push_back(0.0);
+  EXPECT_THROW(static_cast<void>(shape("hemisphere").build("die", values)), std::invalid_argument);
+  values.resize(values.size() - 2);
+  EXPECT_THROW(static_cast<void>(shape("hemisphere").build("die", values)), std::invalid_argument);
 }
 
 } // namespace
