@@ -13,6 +13,7 @@ struct DoubleDome {
   DomeSurface surface;
   Plan plan;
   double depth, gap, fillet, skirt, base, sheet, chord_error;
+  double dome_fillet_start; ///< the same all round a dome, so found once
 
   [[nodiscard]] double apex_start() const { return sheet / 2.0; }
   [[nodiscard]] double apex_closed() const { return sheet / 2.0 - depth; }
@@ -21,13 +22,17 @@ struct DoubleDome {
   {
     return surface.point(u, s) + distance * surface.normal(u, s) + Vec3{0.0, 0.0, apex_closed()};
   }
-  [[nodiscard]] double fillet_start(double u) const;
+  [[nodiscard]] double solve_fillet_start(double u) const;
+  [[nodiscard]] double fillet_start(double u) const
+  {
+    return u < 1.0 ? solve_fillet_start(u) : dome_fillet_start;
+  }
   [[nodiscard]] Edge flange_edge(double u) const;
 };
 
 /// The s at which a ball of the fillet's radius, rolling on the cavity's far side, touches the flange's
 /// plane.
-double DoubleDome::fillet_start(double u) const
+double DoubleDome::solve_fillet_start(double u) const
 {
   const auto too_high = [&](double s) { return offset(u, s, gap + fillet).z > flange_z() - fillet; };
   double low = 0.0, high = surface.s_at_rise(depth + gap + fillet);
@@ -117,13 +122,14 @@ SurfaceMesh die(const DoubleDome& d)
   const double wall_radius = edge(2.0).centre.x - d.plan.centre - d.fillet;
   const Facets facets = edge_facets(d.plan, d.fillet, {outline, 1.0 / wall_radius}, budget);
   add(rounded_edge(quarter, edge, d.fillet, {0.0, 0.0, 1.0}, facets));
-  add(d.plan.between(quarter, flange_start, d.plan.rectangle(d.flange_z()), facets.along.dome, flat_spacing));
+  add(d.plan.between(quarter, flange_start, d.plan.rectangle(d.flange_z()), facets.along.dome, flat_spacing,
+                     true));
 
-  const std::size_t join = d.plan.rectangle_join(flat_spacing);
   const double bottom = d.apex_closed() - d.gap - d.base;
-  rings.push_back(quarter.ring(d.plan.rectangle_points(d.flange_z(), flat_spacing), join));
-  rings.push_back(quarter.ring(d.plan.rectangle_points(bottom, flat_spacing), join));
-  add(d.plan.between(quarter, d.plan.rectangle(bottom), d.plan.spine(bottom), flat_spacing, flat_spacing));
+  rings.push_back(d.plan.rim(quarter, d.flange_z(), flat_spacing));
+  rings.push_back(d.plan.rim(quarter, bottom, flat_spacing));
+  add(d.plan.between(quarter, d.plan.rectangle(bottom), d.plan.spine(bottom), flat_spacing, flat_spacing,
+                     true));
   rings.push_back(d.plan.spine(quarter, bottom, flat_spacing));
   quarter.loft(rings);
   return quarter.mirrored();
@@ -143,6 +149,7 @@ SurfaceMesh build_double_dome(const std::string& part, const Values& v)
   d.base = v["base"];
   d.sheet = v["sheet-thickness"];
   d.chord_error = v["chord-error"];
+  d.dome_fillet_start = d.solve_fillet_start(1.0);
   check(d); // whatever the part: the three must match
   if (part == "punch") return punch(d.plan, d.surface, d.apex_start(), d.depth + d.skirt, d.chord_error);
   if (part == "die") return die(d);

@@ -61,10 +61,10 @@ SurfaceMesh die(const Hemisphere& h)
     rings.push_back(quarter.ring(circle(h.opening, bottom + wall * i / wall_rings), n));
   const Ring first = rings.front();
   add(rounded);
-  add(h.plan.between(quarter, flange_start, h.plan.rectangle(top), fine, flat_spacing));
-  rings.push_back(quarter.ring(h.plan.rectangle_points(top, flat_spacing), 0));
-  rings.push_back(quarter.ring(h.plan.rectangle_points(bottom, flat_spacing), 0));
-  add(h.plan.between(quarter, h.plan.rectangle(bottom), foot, flat_spacing, fine));
+  add(h.plan.between(quarter, flange_start, h.plan.rectangle(top), fine, flat_spacing, true));
+  rings.push_back(h.plan.rim(quarter, top, flat_spacing));
+  rings.push_back(h.plan.rim(quarter, bottom, flat_spacing));
+  add(h.plan.between(quarter, h.plan.rectangle(bottom), foot, flat_spacing, fine, true));
   rings.push_back(first);
   quarter.loft(rings);
   return quarter.mirrored();

@@ -42,6 +42,7 @@ std::vector<Ring> rounded_edge(Quarter& quarter, const EdgeCurve& edge, double r
   const Along<int> last = intervals(arc(1.0), facets.along);
   n = {std::max(n.middle, last.middle), std::max(n.dome, last.dome)};
   std::vector<Ring> rings;
+  rings.reserve(steps + 1);
   for (int i = 0; i < steps; ++i) rings.push_back(quarter.ring(arc(static_cast<double>(i) / steps), n));
   // The last ring is flat to the bit when `end` is vertical and the centres lie at one height.
   const Curve flat = [&](double u) { return edge(u).centre + radius * end; };
@@ -83,7 +84,7 @@ SurfaceMesh punch(const Plan& plan, const DomeSurface& surface, double apex_z, d
   const double cap_spacing = flat_spacing / 2.0, cap_z = level(s_top)(2.0).z;
   const Curve spine = plan.spine(cap_z), rim = level(s_top);
   std::vector<Ring> cap{rings.front()};
-  for (const Ring& ring : plan.between(quarter, rim, spine, step, cap_spacing)) cap.push_back(ring);
+  for (const Ring& ring : plan.between(quarter, rim, spine, step, cap_spacing, false)) cap.push_back(ring);
   cap.push_back(plan.spine(quarter, cap_z, cap_spacing));
   std::reverse(cap.begin(), cap.end());
   quarter.loft(cap);
@@ -100,7 +101,7 @@ void check_flat_face(const Plan& plan, const Curve& inner, const std::string& wh
     x = std::max(x, p.x);
     y = std::max(y, p.y);
   }
-  constexpr double least = 1e-3;
+  constexpr double least = 5e-3; // of flat face
   if (x + least > plan.half_length)
     throw std::invalid_argument(
         fmt::format("flange-length = {} leaves no flat face: {} reaches {} from the middle",
@@ -147,12 +148,11 @@ SurfaceMesh holder(const Plan& plan, const EdgeCurve& flange_start, const Holder
   std::vector<Ring> edge_rings = rounded_edge(quarter, edge, sizes.fillet, {0.0, 0.0, -1.0}, facets);
   std::reverse(edge_rings.begin(), edge_rings.end()); // from the underside up to the wall
   const double fine = facets.along.dome;
-  const std::size_t join = plan.rectangle_join(flat_spacing);
   const auto add = [](std::vector<Ring>& to, const std::vector<Ring>& more) {
     to.insert(to.end(), more.begin(), more.end());
   };
-  std::vector<Ring> rings{quarter.ring(plan.rectangle_points(sizes.underside_z, flat_spacing), join)};
-  add(rings, plan.between(quarter, plan.rectangle(sizes.underside_z), underside, flat_spacing, fine));
+  std::vector<Ring> rings{plan.rim(quarter, sizes.underside_z, flat_spacing)};
+  add(rings, plan.between(quarter, plan.rectangle(sizes.underside_z), underside, flat_spacing, fine, true));
   add(rings, edge_rings);
   const double wall_height = sizes.thickness - sizes.fillet;
   const int wall_rings = static_cast<int>(std::ceil(wall_height / (2.0 * fine)));
@@ -161,8 +161,8 @@ SurfaceMesh holder(const Plan& plan, const EdgeCurve& flange_start, const Holder
   for (int i = 1; i < wall_rings; ++i)
     rings.push_back(quarter.ring(wall(sizes.underside_z + sizes.fillet + wall_height * i / wall_rings), n));
   rings.push_back(quarter.ring(wall(top_z), n));
-  add(rings, plan.between(quarter, wall(top_z), plan.rectangle(top_z), fine, flat_spacing));
-  rings.push_back(quarter.ring(plan.rectangle_points(top_z, flat_spacing), join));
+  add(rings, plan.between(quarter, wall(top_z), plan.rectangle(top_z), fine, flat_spacing, true));
+  rings.push_back(plan.rim(quarter, top_z, flat_spacing));
   rings.push_back(rings.front());
   quarter.loft(rings);
   return quarter.mirrored();

@@ -40,7 +40,7 @@ Ring Quarter::ring(const Curve& curve, Along<int> n)
   return ring(std::move(points), n.middle);
 }
 
-Ring Quarter::ring(std::vector<Vec3> points, std::size_t join)
+Ring Quarter::ring(std::vector<Vec3> points, std::size_t join, std::size_t corner)
 {
   // Rounding must not open a slit along a plane of symmetry.
   assert(std::abs(points.front().x) < 1e-12 && std::abs(points.back().y) < 1e-12);
@@ -48,6 +48,7 @@ Ring Quarter::ring(std::vector<Vec3> points, std::size_t join)
   points.back().y = 0.0;
   Ring ring;
   ring.join = join;
+  ring.corner = corner;
   for (const Vec3& point : points) {
     ring.nodes.push_back(static_cast<int>(mesh_.points.size()));
     mesh_.points.push_back(point);
@@ -64,7 +65,13 @@ void Quarter::loft(const Ring& first, const Ring& second)
 {
   const std::span<const int> a(first.nodes), b(second.nodes);
   zip(a.first(first.join + 1), b.first(second.join + 1));
-  zip(a.subspan(first.join), b.subspan(second.join));
+  std::size_t i = first.join, j = second.join;
+  if (first.corner > 0 && second.corner > 0) { // corner to corner, or facets there would fold over
+    zip(a.subspan(i, first.corner + 1 - i), b.subspan(j, second.corner + 1 - j));
+    i = first.corner;
+    j = second.corner;
+  }
+  zip(a.subspan(i), b.subspan(j));
 }
 
 void Quarter::zip(std::span<const int> a, std::span<const int> b)

@@ -20,7 +20,8 @@ struct Along {
 
 struct Ring {
   std::vector<int> nodes;
-  std::size_t join = 0; ///< where u = 1
+  std::size_t join = 0;   ///< where u = 1
+  std::size_t corner = 0; ///< of a ring near the rectangular rim; 0: none
 };
 
 /// How many intervals of at most `spacing` [m] each part of a ring needs.
@@ -29,7 +30,7 @@ Along<int> intervals(const Curve& curve, Along<double> spacing);
 class Quarter {
 public:
   Ring ring(const Curve& curve, Along<int> intervals);
-  Ring ring(std::vector<Vec3> points, std::size_t join);
+  Ring ring(std::vector<Vec3> points, std::size_t join, std::size_t corner = 0);
 
   /// Triangles between neighbouring rings; the normal is (along the ring) x (to the next ring).
   void loft(const std::vector<Ring>& rings);
