@@ -88,7 +88,7 @@ private:
         c_.locations[at + ".motion"] = motion->where;
       }
       read_keys("tool", table, target, at);
-      if (const Value* mesh = table.find("mesh"); mesh != nullptr && mesh->kind == Value::Kind::text)
+      if (const Value* mesh = table.find("mesh"); mesh != nullptr && !mesh->text.empty())
         read_mesh(*target.tool, at);
     }
   }

@@ -1,6 +1,8 @@
 #include "document.hpp"
 #include "units.hpp"
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <fmt/format.h>
 #include <regex>
 #include <toml++/toml.h> // heavy: nowhere else
@@ -50,6 +52,20 @@ void move_to(Value& value, const SourceLocation& where)
 {
   value.where = value.key_where = where;
   for (Value& item : value.items) move_to(item, where);
+}
+
+/// Line of a key of absurdly many parts, on which the parser would exhaust the stack; 0 without one.
+int line_of_endless_key(const std::string& text)
+{
+  int line = 1, dots = 0;
+  for (const char c : text) {
+    const bool of_key =
+        std::isalnum(static_cast<unsigned char>(c)) != 0 || std::strchr("._- \t\"'", c) != nullptr;
+    dots = of_key ? dots + (c == '.' ? 1 : 0) : 0;
+    if (dots > 1000) return line;
+    if (c == '\n') ++line;
+  }
+  return 0;
 }
 
 /// The commonest slip in a case file: a unit outside quotes.
@@ -105,6 +121,10 @@ std::string Value::shown() const
 
 Value parse_document(const std::string& text, const std::string& file)
 {
+  if (const int line = line_of_endless_key(text); line > 0) {
+    const SourceLocation where{file, line, 1};
+    throw InputError({{where, "not TOML: a key with more than 1000 parts"}});
+  }
   try {
     return converted(toml::parse(std::string_view(text)), file);
   } catch (const toml::parse_error& error) {
