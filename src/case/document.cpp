@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cstring>
 #include <fmt/format.h>
-#include <regex>
 #include <toml++/toml.h> // heavy: nowhere else
 
 namespace towform {
@@ -68,20 +67,34 @@ int line_of_endless_key(const std::string& text)
   return 0;
 }
 
-/// The commonest slip in a case file: a unit outside quotes.
-std::string hint_on(const std::string& text, std::size_t line_number)
+std::string line_of(const std::string& text, int number)
 {
   std::size_t start = 0;
-  for (std::size_t line = 1; line < line_number; ++line) {
-    start = text.find('\n', start);
-    if (start == std::string::npos) return "";
-    ++start;
+  for (int line = 1; line < number && start < text.size(); ++line)
+    start = std::min(text.find('\n', start), text.size() - 1) + 1;
+  return text.substr(start, text.find('\n', start) - start);
+}
+
+/// The commonest slip in a case file: a unit outside quotes.
+std::string hint_on(const std::string& line)
+{
+  std::size_t i = line.find('=');
+  while (i < line.size()) {
+    i = line.find_first_not_of(" \t", i + 1);
+    const std::size_t number_end = std::min(line.find_first_not_of("+-.0123456789", i), line.size());
+    const std::size_t unit = std::min(line.find_first_not_of(" \t", number_end), line.size());
+    const auto is_letter = [&](std::size_t k) {
+      return k < line.size() && (std::isalpha(static_cast<unsigned char>(line[k])) != 0 || line[k] == '%');
+    };
+    if (number_end > i && is_letter(unit)) {
+      std::size_t unit_end = unit;
+      while (is_letter(unit_end) || (unit_end < line.size() && line[unit_end] == '/')) ++unit_end;
+      return fmt::format("; a value with a unit is written in quotes: \"{} {}\"",
+                         line.substr(i, number_end - i), line.substr(unit, unit_end - unit));
+    }
+    i = line.find_first_of("=[,", i);
   }
-  const std::string line = text.substr(start, std::min(text.find('\n', start) - start, std::size_t{200}));
-  static const std::regex bare_unit(R"([=\[,]\s*([-+]?[0-9][0-9.]*)\s*([A-Za-z%][A-Za-z/]*))");
-  std::smatch found;
-  if (!std::regex_search(line, found, bare_unit)) return "";
-  return fmt::format("; a value with a unit is written in quotes: \"{} {}\"", found[1].str(), found[2].str());
+  return "";
 }
 
 } // namespace
@@ -136,7 +149,7 @@ Value parse_document(const std::string& text, const std::string& file)
     if (message.find("control characters") != std::string::npos && message.starts_with("string"))
       message += "; is a closing quote missing?";
     const SourceLocation where = location(error.source(), file);
-    throw InputError({{where, "not TOML: " + message + hint_on(text, static_cast<std::size_t>(where.line))}});
+    throw InputError({{where, "not TOML: " + message + hint_on(line_of(text, where.line))}});
   }
 }
 
