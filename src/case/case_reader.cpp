@@ -88,7 +88,7 @@ private:
         c_.locations[at + ".motion"] = motion->where;
       }
       read_keys("tool", table, target, at);
-      if (const Value* mesh = table.find("mesh"); mesh != nullptr && mesh->kind == Value::Kind::text)
+      if (const Value* mesh = table.find("mesh"); mesh != nullptr && !mesh->text.empty())
         read_mesh(*target.tool, at);
     }
   }
@@ -105,7 +105,7 @@ private:
       const bool idle =
           !row.only_with.empty() && find_path(&table, row.only_with.substr(section.size() + 1)) == nullptr;
       if (value != nullptr) {
-        note(at.empty() ? rest : at + "." + rest, *value, table);
+        note(at.empty() ? rest : fmt::format("{}.{}", at, rest), *value, table);
         set_key(row, *value, target, issues_);
         if (idle)
           issue(value->key_where,

@@ -58,7 +58,6 @@ std::vector<fs::path> card_folders(const fs::path& case_file)
 
 FoundFile find_mesh(const std::string& name, const fs::path& case_file)
 {
-  if (name.empty()) return {{}, "must not be empty"};
   return look_for(name, {case_file.parent_path(), ".", version::source_data, version::installed_data});
 }
 

@@ -1,8 +1,9 @@
 #include "document.hpp"
 #include "units.hpp"
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <fmt/format.h>
-#include <regex>
 #include <toml++/toml.h> // heavy: nowhere else
 
 namespace towform {
@@ -52,20 +53,48 @@ void move_to(Value& value, const SourceLocation& where)
   for (Value& item : value.items) move_to(item, where);
 }
 
-/// The commonest slip in a case file: a unit outside quotes.
-std::string hint_on(const std::string& text, std::size_t line_number)
+/// Line of a key of absurdly many parts, on which the parser would exhaust the stack; 0 without one.
+int line_of_endless_key(const std::string& text)
+{
+  int line = 1, dots = 0;
+  for (const char c : text) {
+    const bool of_key =
+        std::isalnum(static_cast<unsigned char>(c)) != 0 || std::strchr("._- \t\"'", c) != nullptr;
+    dots = of_key ? dots + (c == '.' ? 1 : 0) : 0;
+    if (dots > 1000) return line;
+    if (c == '\n') ++line;
+  }
+  return 0;
+}
+
+std::string line_of(const std::string& text, int number)
 {
   std::size_t start = 0;
-  for (std::size_t line = 1; line < line_number; ++line) {
-    start = text.find('\n', start);
-    if (start == std::string::npos) return "";
-    ++start;
+  for (int line = 1; line < number && start < text.size(); ++line)
+    start = std::min(text.find('\n', start), text.size() - 1) + 1;
+  return text.substr(start, text.find('\n', start) - start);
+}
+
+/// The commonest slip in a case file: a unit outside quotes.
+std::string hint_on(const std::string& line)
+{
+  std::size_t i = line.find('=');
+  while (i < line.size()) {
+    i = line.find_first_not_of(" \t", i + 1);
+    const std::size_t number_end = std::min(line.find_first_not_of("+-.0123456789", i), line.size());
+    const std::size_t unit = std::min(line.find_first_not_of(" \t", number_end), line.size());
+    const auto is_letter = [&](std::size_t k) {
+      return k < line.size() && (std::isalpha(static_cast<unsigned char>(line[k])) != 0 || line[k] == '%');
+    };
+    if (number_end > i && is_letter(unit)) {
+      std::size_t unit_end = unit;
+      while (is_letter(unit_end) || (unit_end < line.size() && line[unit_end] == '/')) ++unit_end;
+      return fmt::format("; a value with a unit is written in quotes: \"{} {}\"",
+                         line.substr(i, number_end - i), line.substr(unit, unit_end - unit));
+    }
+    i = line.find_first_of("=[,", i);
   }
-  const std::string line = text.substr(start, std::min(text.find('\n', start) - start, std::size_t{200}));
-  static const std::regex bare_unit(R"([=\[,]\s*([-+]?[0-9][0-9.]*)\s*([A-Za-z%][A-Za-z/]*))");
-  std::smatch found;
-  if (!std::regex_search(line, found, bare_unit)) return "";
-  return fmt::format("; a value with a unit is written in quotes: \"{} {}\"", found[1].str(), found[2].str());
+  return "";
 }
 
 } // namespace
@@ -105,6 +134,10 @@ std::string Value::shown() const
 
 Value parse_document(const std::string& text, const std::string& file)
 {
+  if (const int line = line_of_endless_key(text); line > 0) {
+    const SourceLocation where{file, line, 1};
+    throw InputError({{where, "not TOML: a key with more than 1000 parts"}});
+  }
   try {
     return converted(toml::parse(std::string_view(text)), file);
   } catch (const toml::parse_error& error) {
@@ -116,7 +149,7 @@ Value parse_document(const std::string& text, const std::string& file)
     if (message.find("control characters") != std::string::npos && message.starts_with("string"))
       message += "; is a closing quote missing?";
     const SourceLocation where = location(error.source(), file);
-    throw InputError({{where, "not TOML: " + message + hint_on(text, static_cast<std::size_t>(where.line))}});
+    throw InputError({{where, "not TOML: " + message + hint_on(line_of(text, where.line))}});
   }
 }
 

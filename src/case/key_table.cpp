@@ -36,11 +36,10 @@ Words only_word(const std::string& name)
 
 using D = Dimension;
 
-// A member of the target as a function, so that one row is one line.
-#define AT(member)                                                                                           \
-  [](Target & t) -> auto& { return t.member; }
-
 // clang-format off
+// A member of the target as a function, so that one row is one line.
+#define AT(member) [](Target& t) -> auto& { return t.member; } // NOLINT(bugprone-macro-parentheses)
+
 std::vector<Row> all_rows()
 {
   const std::vector<std::string> axes{"x", "y", "z"};

@@ -49,8 +49,8 @@ struct Row {
   std::string default_text; ///< TOML or plain text as on a command line, `required` or `optional`
   std::string range;        ///< as Range reads it
   std::string meaning;
-  std::string only_with = ""; ///< path of the key without which this one has no effect
-  bool bare_unit = false;     ///< "mm" stands for "1 mm"
+  std::string only_with{}; ///< path of the key without which this one has no effect
+  bool bare_unit = false;  ///< "mm" stands for "1 mm"
 
   [[nodiscard]] std::string section() const; ///< first part of the path; empty for a key of no table
   [[nodiscard]] std::string name() const;    ///< last part of the path

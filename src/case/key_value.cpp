@@ -49,10 +49,10 @@ std::string get_key(const Row& row, Target& target)
 
 std::string type_of(const Row& row)
 {
-  const std::string name = dimension_name(row.dimension);
+  std::string name = dimension_name(row.dimension);
   return std::visit(Overload{
-                        [&](At<double>) { return name; },
-                        [&](At<std::optional<double>>) { return name; },
+                        [&](At<double>) { return std::string(name); },
+                        [&](At<std::optional<double>>) { return std::string(name); },
                         [](At<int>) { return std::string("whole number"); },
                         [](At<std::optional<int>>) { return std::string("whole number"); },
                         [](At<std::string>) { return std::string("text"); },
@@ -60,7 +60,7 @@ std::string type_of(const Row& row)
                         [&](At<Vec2>) { return "two " + name + "s"; },
                         [&](At<Vec3>) { return "three " + name + "s"; },
                         [](const Words& words) { return fmt::format("{}", fmt::join(words.names, ", ")); },
-                        [&](const MotionAmount&) { return name; },
+                        [&](const MotionAmount&) { return std::string(name); },
                         [](const MotionTable&) { return std::string("table"); },
                     },
                     row.binding);

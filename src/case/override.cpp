@@ -1,5 +1,6 @@
 #include "override.hpp"
 #include "suggestion.hpp"
+#include <map>
 
 namespace towform {
 
@@ -88,12 +89,11 @@ void apply_override(Value& document, const std::string& text, std::vector<InputI
   Value value = parse_value(trimmed(text.substr(equals + 1)), where);
   value.key = parts.back();
   // Of two keys that exclude each other, the one on the command line is meant.
-  for (const auto& [one, other] :
-       {std::pair("elements", "edge"), {"displacement", "velocity"}, {"force", "motion"}}) {
-    if (value.key == one || value.key == other)
-      std::erase_if(table->items,
-                    [&](const Value& item) { return item.key == (value.key == one ? other : one); });
-  }
+  static const std::map<std::string, std::string> excluded{
+      {"elements", "edge"},         {"edge", "elements"}, {"displacement", "velocity"},
+      {"velocity", "displacement"}, {"force", "motion"},  {"motion", "force"}};
+  if (const auto rival = excluded.find(value.key); rival != excluded.end())
+    std::erase_if(table->items, [&](const Value& item) { return item.key == rival->second; });
   if (Value* old = table->find(value.key))
     *old = std::move(value);
   else

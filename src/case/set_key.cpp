@@ -111,9 +111,13 @@ struct Reading {
 
   [[nodiscard]] std::optional<std::string> text(const Value& value) const
   {
-    if (value.kind == Kind::text) return value.text;
-    must_be(value, "text in quotes");
-    return {};
+    if (value.kind != Kind::text) {
+      must_be(value, "text in quotes");
+      return {};
+    }
+    if (value.text.empty() && row.default_text == required)
+      issues.push_back({value.where, label(row, target) + " must not be empty"});
+    return value.text;
   }
 
   void word(const Value& value, const Words& words) const

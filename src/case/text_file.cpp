@@ -1,5 +1,6 @@
 #include "text_file.hpp"
 #include "towform/error.hpp"
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -44,9 +45,12 @@ std::string read_text(const std::filesystem::path& path, const std::string& what
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse(file, "cannot read the " + what + ": " + std::strerror(errno));
-  std::string text(limit + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
+  std::string text;
+  std::array<char, 65536> part{};
+  while (stream && text.size() <= limit) {
+    stream.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) refuse(file, "cannot read the " + what + ": " + std::strerror(errno));
   if (text.size() > limit) refuse(file, "is larger than 10 MB: not a " + what);
   if (const std::size_t bad = first_bad_byte(text); bad < text.size()) {

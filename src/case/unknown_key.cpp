@@ -66,6 +66,7 @@ void find_unknown_keys(const Value& table, const std::string& path, std::vector<
 {
   const std::vector<std::string> names = names_in(path);
   for (const Value& item : table.items) {
+    if (issues.size() >= 100) return; // enough to see that this is no case file
     const std::string item_path = joined(path, item.key);
     if (std::find(names.begin(), names.end(), item.key) == names.end()) {
       std::string what = "unknown key `" + item.key + "`";
