@@ -20,8 +20,12 @@ struct BlockSums {
 SurfacePoint find_nearest(const ToolSurface& surface, const Vec3& p, double half_thickness,
                           SearchMemory& memory)
 {
-  if (memory.reach >= 0.0 && norm_squared(p - memory.anchor) <= memory.reach * memory.reach)
-    return surface.nearest_of(p, {memory.facets.data(), static_cast<std::size_t>(memory.count)});
+  if (memory.reach >= 0.0) {
+    const double moved_squared = norm_squared(p - memory.anchor);
+    if (moved_squared <= memory.reach * memory.reach)
+      return surface.nearest_of(p, {memory.facets.data(), static_cast<std::size_t>(memory.count)},
+                                std::sqrt(moved_squared));
+  }
   SurfacePoint nearest = surface.nearest(p, memory.hint);
   memory.hint = nearest.facet;
   memory.reach = -1.0;
@@ -29,7 +33,7 @@ SurfacePoint find_nearest(const ToolSurface& surface, const Vec3& p, double half
   if (nearest.distance - half_thickness > 2.0 * margin) return nearest;
   // While the node moves by up to `margin`, its nearest facet stays within twice that of today's nearest
   // distance.
-  thread_local std::vector<int> found;
+  thread_local std::vector<NearFacet> found;
   surface.tree().within(p, std::abs(nearest.distance) + 2.0 * margin + 1e-12, found);
   if (found.size() > SearchMemory::capacity) return nearest;
   std::copy(found.begin(), found.end(), memory.facets.begin());

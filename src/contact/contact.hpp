@@ -20,14 +20,14 @@ struct Contact {
 
 /// What the search remembers about a node; only speed depends on it, never the result.
 struct SearchMemory {
-  static constexpr int capacity = 10;
+  static constexpr int capacity = 12;
   double wake = 0.0; ///< travel at which the tool may be reached
   double reach =
       -1.0;      ///< the facets below hold the nearest one while the node is within this of `anchor` [m]
   Vec3 anchor;   ///< in the tool's frame
   int hint = -1; ///< last nearest facet
   int count = 0;
-  std::array<int, capacity> facets{};
+  std::array<NearFacet, capacity> facets{}; ///< nearest to the anchor first
 };
 
 /// Energies of contact with a tool. Elastic at t_n; the others since the start [J].

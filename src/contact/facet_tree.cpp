@@ -108,7 +108,7 @@ int FacetTree::nearest(const Vec3& p, double bound) const
   return facet;
 }
 
-void FacetTree::within(const Vec3& p, double radius, std::vector<int>& found) const
+void FacetTree::within(const Vec3& p, double radius, std::vector<NearFacet>& found) const
 {
   found.clear();
   std::array<int, stack_size> stack;
@@ -121,11 +121,14 @@ void FacetTree::within(const Vec3& p, double radius, std::vector<int>& found) co
     if (node.facet < 0) {
       stack[top++] = node.left;
       stack[top++] = node.left + 1;
-    } else if (nearest_on_facet(corners_[node.facet], p).distance_squared <= limit) {
-      found.push_back(node.facet);
+    } else {
+      const double d2 = nearest_on_facet(corners_[node.facet], p).distance_squared;
+      if (d2 <= limit) found.push_back({node.facet, std::sqrt(d2)});
     }
   }
-  std::sort(found.begin(), found.end());
+  std::sort(found.begin(), found.end(), [](const NearFacet& a, const NearFacet& b) {
+    return a.distance < b.distance || (a.distance == b.distance && a.facet < b.facet);
+  });
 }
 
 } // namespace towform

@@ -1,4 +1,5 @@
 #pragma once
+#include "contact/near_facet.hpp"
 #include "towform/surface_mesh.hpp"
 #include <memory>
 #include <vector>
@@ -17,8 +18,8 @@ public:
   /// The facet nearest to p within `bound` [m] (of equals, the lowest number), or -1.
   [[nodiscard]] int nearest(const Vec3& p, double bound) const;
 
-  /// All facets with a point within `radius` [m] of p, ascending, replacing `found`.
-  void within(const Vec3& p, double radius, std::vector<int>& found) const;
+  /// All facets with a point within `radius` [m] of p, nearest first, replacing `found`.
+  void within(const Vec3& p, double radius, std::vector<NearFacet>& found) const;
 
   [[nodiscard]] const std::array<Vec3, 3>& corners(int facet) const { return corners_[facet]; }
 

@@ -82,15 +82,20 @@ SurfacePoint ToolSurface::nearest(const Vec3& p, int hint) const
   return with_side(p, facet, nearest_on_facet(tree_.corners(facet), p));
 }
 
-SurfacePoint ToolSurface::nearest_of(const Vec3& p, std::span<const int> facets) const
+SurfacePoint ToolSurface::nearest_of(const Vec3& p, std::span<const NearFacet> facets, double moved) const
 {
-  int best = facets.front();
+  int best = facets.front().facet;
   FacetPoint nearest = nearest_on_facet(tree_.corners(best), p);
-  for (const int facet : facets.subspan(1)) {
-    const FacetPoint other = nearest_on_facet(tree_.corners(facet), p);
-    if (other.distance_squared < nearest.distance_squared) {
-      nearest = other;
-      best = facet;
+  double distance = std::sqrt(nearest.distance_squared);
+  for (const NearFacet& other : facets.subspan(1)) {
+    constexpr double rounding = 1e-12;                       // [m]
+    if (other.distance - moved > distance + rounding) break; // nor can any after it be nearer
+    const FacetPoint point = nearest_on_facet(tree_.corners(other.facet), p);
+    if (point.distance_squared < nearest.distance_squared ||
+        (point.distance_squared == nearest.distance_squared && other.facet < best)) {
+      nearest = point;
+      best = other.facet;
+      distance = std::sqrt(nearest.distance_squared);
     }
   }
   return with_side(p, best, nearest);

@@ -1,6 +1,7 @@
 #pragma once
 #include "contact/facet.hpp"
 #include "contact/facet_tree.hpp"
+#include "contact/near_facet.hpp"
 #include "towform/surface_mesh.hpp"
 #include <span>
 #include <vector>
@@ -27,8 +28,9 @@ public:
 
   /// Nearest point among all facets; `hint` (a facet, or -1) only makes it faster.
   [[nodiscard]] SurfacePoint nearest(const Vec3& p, int hint = -1) const;
-  /// Nearest point among some facets (not empty), ascending; of equally near ones the first.
-  [[nodiscard]] SurfacePoint nearest_of(const Vec3& p, std::span<const int> facets) const;
+  /// Nearest point among some facets (not empty) that come in the order of their distance from a point
+  /// `moved` away from p; of equally near ones the lowest number, as in `nearest`.
+  [[nodiscard]] SurfacePoint nearest_of(const Vec3& p, std::span<const NearFacet> facets, double moved) const;
 
   [[nodiscard]] Vec3 lowest() const { return lowest_; }   ///< corner of the bounding box
   [[nodiscard]] Vec3 highest() const { return highest_; } ///< opposite corner

@@ -13,6 +13,7 @@ CornersOfNode::CornersOfNode(std::span<const Triangle> triangles, std::size_t no
   for (std::size_t i = 0; i < nodes; ++i) first[i + 1] += first[i];
   std::vector<int> next(first.begin(), first.end() - 1);
   for (std::size_t i = 0; i < slot.size(); ++i) slot[next[triangles[i / 3][i % 3]]++] = static_cast<int>(i);
+  for (const int s : slot) element.push_back(s / 3);
 }
 
 namespace {
@@ -99,8 +100,7 @@ void node_tensions(const Membrane& membrane, State& s, double dt)
 #pragma omp for schedule(static)
   for (std::ptrdiff_t n = 0; n < nodes; ++n) {
     YarnPair mean;
-    for (const int slot : membrane.corners.of(n)) {
-      const int e = slot / 3;
+    for (const int e : membrane.corners.elements_of(n)) {
       mean.warp += membrane.area[e] * s.yarn_strain[e].warp;
       mean.weft += membrane.area[e] * s.yarn_strain[e].weft;
     }

@@ -34,13 +34,18 @@ struct YarnVectors {
 /// Corner slots of every node: slot 3e + c belongs to corner c of element e. Ascending per node, so that sums
 /// have one order.
 struct CornersOfNode {
-  std::vector<int> first; ///< n + 1
-  std::vector<int> slot;  ///< 3m
+  std::vector<int> first;   ///< n + 1
+  std::vector<int> slot;    ///< 3m
+  std::vector<int> element; ///< 3m, slot / 3
 
   CornersOfNode(std::span<const Triangle> triangles, std::size_t nodes);
   [[nodiscard]] std::span<const int> of(std::size_t node) const
   {
     return {slot.data() + first[node], slot.data() + first[node + 1]};
+  }
+  [[nodiscard]] std::span<const int> elements_of(std::size_t node) const
+  {
+    return {element.data() + first[node], element.data() + first[node + 1]};
   }
 };
 

@@ -39,7 +39,7 @@ TEST(FacetTree, AgreesWithBruteForce)
 {
   const SurfaceMesh mesh = test::sphere(1.0, 12);
   const FacetTree tree(mesh);
-  std::vector<int> found;
+  std::vector<NearFacet> found;
   for (const Vec3& p : random_points(1.5, 400)) {
     int best = -1;
     double d2 = 1e300;
@@ -55,7 +55,15 @@ TEST(FacetTree, AgreesWithBruteForce)
     EXPECT_EQ(tree.nearest(p, 1e100), best);
     EXPECT_EQ(tree.nearest(p, 0.5 * std::sqrt(d2)), -1);
     tree.within(p, 0.4, found);
-    EXPECT_EQ(found, near);
+    std::vector<int> facets;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      facets.push_back(found[i].facet);
+      EXPECT_NEAR(found[i].distance,
+                  std::sqrt(nearest_on_facet(tree.corners(found[i].facet), p).distance_squared), 1e-15);
+      EXPECT_TRUE(i == 0 || found[i].distance >= found[i - 1].distance);
+    }
+    std::sort(facets.begin(), facets.end());
+    EXPECT_EQ(facets, near);
   }
 }
 
@@ -78,13 +86,14 @@ TEST(ToolSurface, SignedDistanceOfACube)
 TEST(ToolSurface, HintsAndListsDoNotChangeTheAnswer)
 {
   const ToolSurface sphere(test::sphere(1.0, 12));
-  std::vector<int> list;
+  std::vector<NearFacet> list;
   for (const Vec3& p : random_points(1.5, 300)) {
     const SurfacePoint nearest = sphere.nearest(p), hinted = sphere.nearest(p, 17);
     EXPECT_EQ(nearest.facet, hinted.facet);
     EXPECT_EQ(nearest.point, hinted.point);
-    sphere.tree().within(p, std::abs(nearest.distance) + 0.3, list);
-    const SurfacePoint listed = sphere.nearest_of(p, list);
+    const Vec3 anchor = p + Vec3{0.06, -0.05, 0.04};
+    sphere.tree().within(anchor, std::abs(nearest.distance) + 0.3, list);
+    const SurfacePoint listed = sphere.nearest_of(p, list, norm(p - anchor));
     EXPECT_EQ(nearest.facet, listed.facet);
     EXPECT_EQ(nearest.normal, listed.normal);
   }
