@@ -28,7 +28,7 @@ std::string place_of_element(const Model& model, int element)
 }
 
 /// Fractions of the run before which ratios of small energies say nothing.
-constexpr double energy_from = 0.1, kinetic_from = 0.5;
+constexpr double energy_from = 0.25, kinetic_from = 0.5;
 
 } // namespace
 

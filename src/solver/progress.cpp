@@ -1,6 +1,10 @@
 #include "solver/progress.hpp"
+#include "towform/error.hpp"
 #include <cstdio>
 #include <fmt/format.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_sinks.h>
 #include <unistd.h>
 
 namespace towform {
@@ -10,10 +14,23 @@ constexpr int bar_width = 40;
 constexpr std::chrono::milliseconds refresh{200};
 } // namespace
 
-Progress::Progress(bool quiet)
+Progress::Progress(const std::filesystem::path& directory, bool quiet)
     : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0), start_(std::chrono::steady_clock::now()),
       shown_(start_)
 {
+  try {
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>((directory / "run.log").string(), true);
+    file->set_pattern("%Y-%m-%d %H:%M:%S  %v");
+    log_ = std::make_shared<spdlog::logger>("run", file);
+  } catch (const spdlog::spdlog_ex& e) {
+    throw FileError(e.what());
+  }
+  if (!quiet) {
+    auto screen = std::make_shared<spdlog::sinks::stdout_sink_st>();
+    screen->set_pattern("%v");
+    log_->sinks().push_back(screen);
+  }
+  log_->flush_on(spdlog::level::info);
 }
 
 Progress::~Progress() { erase_bar(); }
@@ -27,10 +44,8 @@ void Progress::erase_bar()
 
 void Progress::line(const std::string& text)
 {
-  if (quiet_) return;
   erase_bar();
-  fmt::print("{}\n", text);
-  std::fflush(stdout);
+  log_->info(text);
 }
 
 void Progress::update(double fraction)

@@ -1,14 +1,21 @@
 #pragma once
 #include <chrono>
+#include <filesystem>
+#include <memory>
 #include <string>
+
+namespace spdlog {
+class logger;
+}
 
 namespace towform {
 
-/// What a user sees while a run goes on: lines on standard output, and on a terminal a bar with the time to
-/// go.
+/// What a user sees while a run goes on: lines on standard output and in DIR/run.log, and on a terminal a bar
+/// with the time to go.
 class Progress {
 public:
-  explicit Progress(bool quiet);
+  /// `quiet` leaves only the log file. Throws FileError when that cannot be written.
+  Progress(const std::filesystem::path& directory, bool quiet);
   ~Progress();
   void line(const std::string& text);
   /// `fraction` of the simulated time done.
@@ -17,6 +24,7 @@ public:
 private:
   void erase_bar();
 
+  std::shared_ptr<spdlog::logger> log_;
   bool quiet_, terminal_, bar_shown_ = false;
   std::chrono::steady_clock::time_point start_, shown_;
 };

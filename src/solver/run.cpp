@@ -88,6 +88,9 @@ std::string headline(const Case& c, const Model& model, int threads)
                      threads, threads == 1 ? "" : "s");
 }
 
+/// Above this the sheet's inertia shapes the answer, as it does in a fast press: the user should know.
+constexpr double inertia_matters = 0.1;
+
 std::string closing(const Summary& s, const std::filesystem::path& directory)
 {
   std::string phases;
@@ -100,7 +103,7 @@ std::string closing(const Summary& s, const std::filesystem::path& directory)
       s.status, s.wall_time_s, s.steps, s.ns_per_element_step, phases, s.shear_angle_max_deg,
       s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm, s.punch_force_max_N,
       100.0 * s.energy_error, s.penetration_max_mm, 100.0 * s.fibre_strain_p99,
-      (directory / "results.h5, results.xdmf, history.csv, summary.json").string());
+      (directory / "results.h5, results.xdmf, history.csv, summary.json, run.log").string());
 }
 
 void make_directory(const std::filesystem::path& directory)
@@ -121,7 +124,7 @@ RunOutcome run(const Case& c, const RunOptions& options)
   const Model model = build_model(c);
   make_directory(options.directory);
   Recorder recorder(c, model, options.directory);
-  Progress progress(options.quiet);
+  Progress progress(options.directory, options.quiet);
   System s = start(model);
   const StepBound bound(model.membrane, model.element_mass, model.shear_modulus);
   Summary& summary = recorder.summary();
