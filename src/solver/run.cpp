@@ -95,14 +95,20 @@ std::string closing(const Summary& s, const std::filesystem::path& directory)
 {
   std::string phases;
   for (const auto& [name, seconds] : s.phases_s) phases += fmt::format("  {} {:.2f}", name, seconds);
+  std::string inertia;
+  if (s.kinetic_to_internal_max > inertia_matters)
+    inertia =
+        fmt::format("inertia matters: kinetic energy reached {:.0f} % of internal and dissipated energy in "
+                    "the second half of the run\n",
+                    100.0 * s.kinetic_to_internal_max);
   return fmt::format(
       "{} in {:.2f} s: {} steps, {:.1f} ns per element-step (s:{})\n"
       "shear max {:.1f} deg, draw-in {:.1f} / {:.1f} / {:.1f} mm (x / y / corner), punch {:.1f} N, "
       "energy error {:.2f} %, penetration {:.3f} mm, yarn strain p99 {:.2f} %\n"
-      "wrote {}",
+      "{}wrote {}",
       s.status, s.wall_time_s, s.steps, s.ns_per_element_step, phases, s.shear_angle_max_deg,
       s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm, s.punch_force_max_N,
-      100.0 * s.energy_error, s.penetration_max_mm, 100.0 * s.fibre_strain_p99,
+      100.0 * s.energy_error, s.penetration_max_mm, 100.0 * s.fibre_strain_p99, inertia,
       (directory / "results.h5, results.xdmf, history.csv, summary.json, run.log").string());
 }
 
