@@ -7,7 +7,6 @@ target_compile_options(towform_options INTERFACE
   -ffp-contract=off
   $<$<CONFIG:Debug>:-D_GLIBCXX_ASSERTIONS>)
 if(TOWFORM_SANITIZE)
-  # libgomp is not instrumented: the thread sanitizer is only meaningful on code that uses std::thread.
   add_compile_options(-fsanitize=${TOWFORM_SANITIZE} -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TOWFORM_SANITIZE})
 endif()

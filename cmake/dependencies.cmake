@@ -2,7 +2,7 @@
 find_package(Eigen3 3.4 REQUIRED)
 find_package(fcl 0.7 REQUIRED)
 find_package(HDF5 REQUIRED COMPONENTS C)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(Threads REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(fmt REQUIRED)
 find_package(spdlog REQUIRED)

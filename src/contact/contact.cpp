@@ -1,4 +1,5 @@
 #include "contact/contact.hpp"
+#include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -91,8 +92,7 @@ void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_st
   c.travel += (fastest + std::abs(tool_state.velocity)) * dt;
   std::vector<BlockSums> sums(static_cast<std::size_t>(blocks));
 
-#pragma omp parallel for schedule(dynamic)
-  for (int block = 0; block < blocks; ++block) {
+  parallel_each(blocks, [&](int block) {
     BlockSums& sum = sums[block];
     for (int n = block * block_size; n < std::min(nodes, (block + 1) * block_size); ++n) {
       SearchMemory& memory = c.memory[n];
@@ -126,7 +126,7 @@ void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_st
         sum.deepest_node = n;
       }
     }
-  }
+  });
 
   tool_state.reaction = {};
   c.energies.elastic = 0.0;

@@ -1,4 +1,5 @@
 #include "element/membrane.hpp"
+#include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -82,23 +83,19 @@ void start(const Membrane& membrane, State& s)
 
 namespace {
 
-void element_strains(const Membrane& membrane, State& s)
+void element_strains(const Membrane& membrane, State& s, std::ptrdiff_t begin, std::ptrdiff_t end)
 {
-  const auto elements = static_cast<std::ptrdiff_t>(membrane.triangles.size());
-#pragma omp for schedule(static)
-  for (std::ptrdiff_t e = 0; e < elements; ++e) {
+  for (std::ptrdiff_t e = begin; e < end; ++e) {
     const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
     s.yarn_strain[e] = {y.lambda1 - 1.0, y.lambda2 - 1.0};
   }
 }
 
-void node_tensions(const Membrane& membrane, State& s, double dt)
+void node_tensions(const Membrane& membrane, State& s, double dt, std::ptrdiff_t begin, std::ptrdiff_t end)
 {
-  const auto nodes = static_cast<std::ptrdiff_t>(s.position.size());
   const YarnLaw yarn = membrane.yarn;
   const double viscosity = yarn.stiffness * membrane.damping_time;
-#pragma omp for schedule(static)
-  for (std::ptrdiff_t n = 0; n < nodes; ++n) {
+  for (std::ptrdiff_t n = begin; n < end; ++n) {
     YarnPair mean;
     for (const int e : membrane.corners.elements_of(n)) {
       mean.warp += membrane.area[e] * s.yarn_strain[e].warp;
@@ -120,13 +117,12 @@ void node_tensions(const Membrane& membrane, State& s, double dt)
 }
 
 template <class Law>
-void element_forces(const Membrane& membrane, const Law& law, State& s, double dt)
+void element_forces(const Membrane& membrane, const Law& law, State& s, double dt, std::ptrdiff_t begin,
+                    std::ptrdiff_t end)
 {
-  const auto elements = static_cast<std::ptrdiff_t>(membrane.triangles.size());
   const double own = membrane.own_strain_share, shared = (1.0 - own) / 3.0;
   const double reference_angle = std::asin(membrane.reference_sine);
-#pragma omp for schedule(static)
-  for (std::ptrdiff_t e = 0; e < elements; ++e) {
+  for (std::ptrdiff_t e = begin; e < end; ++e) {
     const Triangle& t = membrane.triangles[e];
     const YarnGradients& g = membrane.gradients[e];
     const double area = membrane.area[e];
@@ -159,23 +155,27 @@ void element_forces(const Membrane& membrane, const Law& law, State& s, double d
 
 void membrane_forces(const Membrane& membrane, State& s, double dt)
 {
-#pragma omp parallel
-  {
-    element_strains(membrane, s);
-    node_tensions(membrane, s, dt);
-    std::visit([&](const auto& law) { element_forces(membrane, law, s, dt); }, membrane.law);
-  }
+  const auto nodes = static_cast<std::ptrdiff_t>(s.position.size());
+  const auto elements = static_cast<std::ptrdiff_t>(membrane.triangles.size());
+  parallel_ranges(elements, [&](auto begin, auto end) { element_strains(membrane, s, begin, end); });
+  parallel_ranges(nodes, [&](auto begin, auto end) { node_tensions(membrane, s, dt, begin, end); });
+  std::visit(
+      [&](const auto& law) {
+        parallel_ranges(elements,
+                        [&](auto begin, auto end) { element_forces(membrane, law, s, dt, begin, end); });
+      },
+      membrane.law);
 }
 
 void assemble(const CornersOfNode& corners, std::span<const Vec3> corner_force, std::span<Vec3> force)
 {
-  const auto nodes = static_cast<std::ptrdiff_t>(force.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t n = 0; n < nodes; ++n) {
-    Vec3 sum;
-    for (const int slot : corners.of(n)) sum += corner_force[slot];
-    force[n] = sum;
-  }
+  parallel_ranges(static_cast<std::ptrdiff_t>(force.size()), [&](auto begin, auto end) {
+    for (auto n = begin; n < end; ++n) {
+      Vec3 sum;
+      for (const int slot : corners.of(n)) sum += corner_force[slot];
+      force[n] = sum;
+    }
+  });
 }
 
 } // namespace towform

@@ -1,4 +1,5 @@
 #include "material/shear_table.hpp"
+#include "parallel/parallel.hpp"
 
 namespace towform {
 
@@ -6,12 +7,11 @@ ShearTable::ShearTable(const std::function<double(double, double)>& force, doubl
     : cells_per_radian_(angle_cells / max_angle),
       forces_(static_cast<std::size_t>(angle_cells + 1) * rate_points, 0.0)
 {
-#pragma omp parallel for schedule(static)
-  for (int i = 0; i <= angle_cells; ++i) {
+  parallel_each(angle_cells + 1, [&](int i) {
     const double theta = max_angle * i / angle_cells;
     for (int j = 1; j < rate_points; ++j)
       forces_[static_cast<std::size_t>(i) * rate_points + j] = force(theta, rate_of(j));
-  }
+  });
 }
 
 } // namespace towform

@@ -1,5 +1,6 @@
 #include "towform/run.hpp"
 #include "element/stable_step.hpp"
+#include "parallel/parallel.hpp"
 #include "solver/gates.hpp"
 #include "solver/model.hpp"
 #include "solver/progress.hpp"
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
-#include <omp.h>
 #include <system_error>
 
 namespace towform {
@@ -80,12 +80,12 @@ void advance_to(double time, const Model& model, const StepBound& bound, System&
   }
 }
 
-std::string headline(const Case& c, const Model& model, int threads)
+std::string headline(const Case& c, const Model& model)
 {
   return fmt::format("{}: {} elements, {} nodes, about {:.0f} steps of {:.2f} us, {} thread{}",
                      c.title.empty() ? "untitled" : c.title, model.membrane.triangles.size(),
                      model.mass.size(), std::ceil(c.time.end / model.first_step), 1e6 * model.first_step,
-                     threads, threads == 1 ? "" : "s");
+                     threads(), threads() == 1 ? "" : "s");
 }
 
 /// Above this the sheet's inertia shapes the answer, as it does in a fast press: the user should know.
@@ -125,7 +125,7 @@ void make_directory(const std::filesystem::path& directory)
 
 RunOutcome run(const Case& c, const RunOptions& options)
 {
-  if (options.threads > 0) omp_set_num_threads(options.threads);
+  set_threads(options.threads);
   const auto start_of_all = std::chrono::steady_clock::now();
   const Model model = build_model(c);
   make_directory(options.directory);
@@ -134,8 +134,8 @@ RunOutcome run(const Case& c, const RunOptions& options)
   System s = start(model);
   const StepBound bound(model.membrane, model.element_mass, model.shear_modulus);
   Summary& summary = recorder.summary();
-  summary.threads = omp_get_max_threads();
-  progress.line(headline(c, model, summary.threads));
+  summary.threads = threads();
+  progress.line(headline(c, model));
 
   RunOutcome outcome;
   Phases phases;
@@ -178,7 +178,7 @@ RunOutcome run(const Case& c, const RunOptions& options)
 std::string describe_run(const Case& c)
 {
   const Model model = build_model(c);
-  std::string text = headline(c, model, omp_get_max_threads()) + '\n';
+  std::string text = headline(c, model) + '\n';
   text += fmt::format(
       "sheet {:.1f} g, added by mass scaling {:.2f} %; warp at {:.1f} deg, curves fit to {:.2f} %\n",
       1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),

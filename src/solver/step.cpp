@@ -1,5 +1,7 @@
 #include "solver/step.hpp"
+#include "parallel/parallel.hpp"
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <span>
 
@@ -14,18 +16,23 @@ double advance_sheet(const Model& model, State& s, double dt)
   const auto nodes = static_cast<std::ptrdiff_t>(s.position.size());
   const double kick = 0.5 * (s.last_dt + dt);
   const double drag = 0.5 * model.mass_damping * kick;
-  double fastest_squared = 0.0;
-#pragma omp parallel for schedule(static) reduction(max : fastest_squared)
-  for (std::ptrdiff_t n = 0; n < nodes; ++n) {
-    const Vec3 before = s.velocity[n];
-    const Vec3 after = (1.0 / (1.0 + drag)) * ((1.0 - drag) * before + (kick / model.mass[n]) * s.force[n]);
-    if (drag > 0.0)
-      s.mass_damping[n] += model.mass_damping * model.mass[n] * 0.25 * norm_squared(before + after) * kick;
-    s.velocity[n] = after;
-    s.position[n] += dt * after;
-    const double squared = norm_squared(after);
-    fastest_squared = std::max(fastest_squared, std::isfinite(squared) ? squared : HUGE_VAL);
-  }
+  std::atomic<double> fastest_squared{0.0}; // a maximum: the same in any order
+  parallel_ranges(nodes, [&](auto begin, auto end) {
+    double fastest_here = 0.0;
+    for (auto n = begin; n < end; ++n) {
+      const Vec3 before = s.velocity[n];
+      const Vec3 after = (1.0 / (1.0 + drag)) * ((1.0 - drag) * before + (kick / model.mass[n]) * s.force[n]);
+      if (drag > 0.0)
+        s.mass_damping[n] += model.mass_damping * model.mass[n] * 0.25 * norm_squared(before + after) * kick;
+      s.velocity[n] = after;
+      s.position[n] += dt * after;
+      const double squared = norm_squared(after);
+      fastest_here = std::max(fastest_here, std::isfinite(squared) ? squared : HUGE_VAL);
+    }
+    double known = fastest_squared.load();
+    while (known < fastest_here && !fastest_squared.compare_exchange_weak(known, fastest_here)) {
+    }
+  });
   s.time += dt;
   s.last_dt = dt;
   ++s.step;

@@ -1,0 +1,111 @@
+#include "parallel/parallel.hpp"
+#include <cstdint>
+#include <memory>
+#include <thread>
+#include <vector>
+
+namespace towform {
+
+namespace {
+
+inline void relax()
+{
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+/// Waits until `value` differs from `old`: some microseconds of spinning, then asleep.
+template <class T>
+void wait_while(const std::atomic<T>& value, T old)
+{
+  constexpr int spins = 2000;
+  for (int i = 0; i < spins; ++i) {
+    if (value.load(std::memory_order_acquire) != old) return;
+    relax();
+  }
+  while (value.load(std::memory_order_acquire) == old) value.wait(old, std::memory_order_acquire);
+}
+
+/// The calling thread and its helpers.
+class Team {
+public:
+  explicit Team(int count) : count_(count)
+  {
+    for (int part = 1; part < count; ++part) helpers_.emplace_back([this, part] { help(part); });
+  }
+  ~Team()
+  {
+    task_ = nullptr;
+    begin();
+    for (std::thread& helper : helpers_) helper.join();
+  }
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+
+  [[nodiscard]] int count() const { return count_; }
+
+  void run(void (*task)(void*, int), void* context)
+  {
+    if (count_ == 1) {
+      task(context, 0);
+      return;
+    }
+    task_ = task;
+    context_ = context;
+    busy_.store(count_ - 1, std::memory_order_relaxed);
+    begin();
+    task(context, 0);
+    for (int left = busy_.load(std::memory_order_acquire); left != 0;
+         left = busy_.load(std::memory_order_acquire))
+      wait_while(busy_, left);
+  }
+
+private:
+  void begin()
+  {
+    round_.fetch_add(1, std::memory_order_release);
+    round_.notify_all();
+  }
+
+  void help(int part)
+  {
+    for (std::uint32_t seen = 0;; ++seen) {
+      wait_while(round_, seen);
+      if (task_ == nullptr) return;
+      task_(context_, part);
+      if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
+    }
+  }
+
+  int count_;
+  void (*task_)(void*, int) = nullptr;
+  void* context_ = nullptr;
+  alignas(64) std::atomic<std::uint32_t> round_{0};
+  alignas(64) std::atomic<int> busy_{0};
+  std::vector<std::thread> helpers_;
+};
+
+int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+std::unique_ptr<Team>& team()
+{
+  static std::unique_ptr<Team> the_team = std::make_unique<Team>(all_cores());
+  return the_team;
+}
+
+} // namespace
+
+void set_threads(int count)
+{
+  const int wanted = count > 0 ? count : all_cores();
+  if (wanted == team()->count()) return;
+  team().reset();
+  team() = std::make_unique<Team>(wanted);
+}
+
+int threads() { return team()->count(); }
+
+void parallel::on_all_threads(void (*task)(void*, int), void* context) { team()->run(task, context); }
+
+} // namespace towform
