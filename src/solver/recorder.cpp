@@ -100,7 +100,7 @@ void Recorder::history(const System& s)
   std::vector<double> row{s.sheet.time, static_cast<double>(s.sheet.step), s.sheet.last_dt};
   for (std::size_t i = 0; i < s.tools.size(); ++i)
     row.push_back(dot(s.tools[i].reaction, model_.tools[i].direction));
-  for (std::size_t i = 0; i < s.tools.size(); ++i) row.push_back(s.tools[i].displacement);
+  for (const ToolState& tool : s.tools) row.push_back(tool.displacement);
   for (const auto& [kind, value] : listed(energies_)) row.push_back(value);
   row.insert(row.end(),
              {energies_.error(), kinetic_to_internal(energies_), 1e3 * draw_in_.x_mid, 1e3 * draw_in_.y_mid,

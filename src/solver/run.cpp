@@ -184,8 +184,7 @@ std::string describe_run(const Case& c)
       1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
       100.0 * model.added_mass_fraction, std::atan2(model.blank.warp.y, model.blank.warp.x) * 180.0 / M_PI,
       100.0 * model.material.curves->fit_error);
-  for (std::size_t i = 0; i < model.tools.size(); ++i) {
-    const Tool& tool = model.tools[i];
+  for (const Tool& tool : model.tools) {
     const Vec3 low = tool.surface.lowest(), high = tool.surface.highest();
     const std::string drive =
         tool.force    ? fmt::format("pushed with {} N, {} kg", *tool.force, tool.mass)
