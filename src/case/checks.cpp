@@ -158,8 +158,9 @@ struct Checker {
     const BoundaryParameters &b = c.boundaries[i], &other = c.boundaries[j];
     const std::string at = fmt::format("boundary[{}]", i);
     const auto is_grip = [](const BoundaryParameters& p) { return p.kind == BoundaryParameters::Kind::grip; };
-    if (!is_grip(b) || !is_grip(other) || !given(at + ".edge") || !given(fmt::format("boundary[{}].edge", j)))
-      return;
+    const std::string other_edge = fmt::format("boundary[{}].edge", j);
+    if (!is_grip(b) || !is_grip(other) || !given(at + ".edge") || !given(other_edge)) return;
+    if (unread(at + ".edge") || unread(other_edge)) return;
     using Edge = BoundaryParameters::Edge;
     const auto upright = [](Edge edge) { return edge == Edge::left || edge == Edge::right; };
     if (b.edge == other.edge)
