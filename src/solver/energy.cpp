@@ -20,6 +20,10 @@ Energies energy_account(const Model& model, const System& s)
     const Vec3& v = s.sheet.velocity[n];
     e.kinetic += 0.5 * (model.mass[n] * norm_squared(v) + s.sheet.last_dt * dot(v, s.sheet.force[n]));
   }
+  for (std::size_t i = 0; i < s.boundaries.size(); ++i) {
+    e.external += s.boundaries[i].work;
+    e.kinetic -= kinetic_energy(model.boundaries[i], s.sheet, model.mass); // theirs, not the sheet's
+  }
   e.yarn = model.membrane.yarn_energy(s.sheet);
   e.shear_dissipated = sum(s.sheet.shear_dissipated);
   e.shear_elastic = sum(s.sheet.shear_work) - e.shear_dissipated;
@@ -29,8 +33,8 @@ Energies energy_account(const Model& model, const System& s)
     e.friction += c.energies.friction;
     e.damping += c.energies.damping;
   }
-  for (double* part :
-       {&e.kinetic, &e.yarn, &e.shear_elastic, &e.shear_dissipated, &e.contact, &e.friction, &e.damping})
+  for (double* part : {&e.kinetic, &e.yarn, &e.shear_elastic, &e.shear_dissipated, &e.contact, &e.friction,
+                       &e.damping, &e.external})
     *part *= model.mirror_factor;
   for (std::size_t i = 0; i < s.tools.size(); ++i) {
     const Tool& tool = model.tools[i];

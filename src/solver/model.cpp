@@ -88,7 +88,7 @@ void set_inertia(const Case& c, Model& model)
 }
 
 template <class Make>
-auto input(const Case& c, const char* key, std::vector<InputIssue>& issues, Make make)
+auto input(const Case& c, const std::string& key, std::vector<InputIssue>& issues, Make make)
     -> std::optional<decltype(make())>
 {
   try {
@@ -114,12 +114,20 @@ Model build_model(const Case& c)
       input(c, "material", issues, [&] { return make_fabric_material(c.material, c.blank.thickness); });
   std::vector<Tool> tools = read_tools(c, issues);
   if (blank && tools.size() == c.tools.size()) check_placement(c, *blank, tools, issues);
+  std::vector<Boundary> boundaries;
+  for (std::size_t i = 0; blank && i < c.boundaries.size(); ++i) {
+    const std::string key = "boundary[" + std::to_string(i) + "]";
+    if (auto made = input(c, key, issues,
+                          [&] { return make_boundary(c.boundaries[i], c.blank, *blank, c.time.end); }))
+      boundaries.push_back(std::move(*made));
+  }
   if (!issues.empty()) throw InputError(std::move(issues));
 
   const YarnLaw yarn{c.material.fibre_modulus * c.blank.thickness, c.material.compression_factor};
   Membrane membrane(*blank, yarn, material->law);
   Model model(std::move(*blank), std::move(*material), std::move(membrane));
   model.tools = std::move(tools);
+  model.boundaries = std::move(boundaries);
   model.temperature = c.material.temperature;
   model.mass_damping = c.time.mass_damping;
   model.shear_modulus = shear_modulus_bound(model.material);
@@ -140,6 +148,7 @@ System start(const Model& model)
   s.contacts.resize(model.contacts.size());
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
     start(model.contacts[i], s.sheet.position.size(), s.contacts[i]);
+  s.boundaries.resize(model.boundaries.size());
   Phases untimed;
   evaluate_forces(model, s, model.first_step, untimed);
   return s;

@@ -1,6 +1,7 @@
 #pragma once
 #include "contact/contact.hpp"
 #include "element/membrane.hpp"
+#include "solver/boundary.hpp"
 #include "towform/blank.hpp"
 #include "towform/case.hpp"
 #include <vector>
@@ -23,6 +24,7 @@ struct Model {
   double mirror_factor = 1.0;       ///< whole sheet over the modelled part
   std::vector<Tool> tools;
   std::vector<Contact> contacts; ///< one a tool
+  std::vector<Boundary> boundaries;
 
   Model(Blank b, FabricMaterial m, Membrane sheet)
       : blank(std::move(b)), material(std::move(m)), membrane(std::move(sheet))
@@ -35,11 +37,13 @@ struct System {
   State sheet;
   std::vector<ToolState> tools;
   std::vector<ContactState> contacts;
+  std::vector<BoundaryState> boundaries;
   double fastest = 0.0; ///< bound of the nodes' speeds over the last step [m/s]
 };
 
 /// Meshes the blank, reads the tools, tabulates the material. Throws InputError with every issue found:
-/// unreadable meshes, constituents out of range, a blank that starts inside a tool or that no tool can meet.
+/// unreadable meshes, constituents out of range, a blank that starts inside a tool or that no tool can meet,
+/// a picture frame opened too far.
 Model build_model(const Case& c);
 
 /// The system at rest at time 0, with its first forces.

@@ -28,7 +28,11 @@ std::vector<std::string> history_columns(const Model& model)
 {
   std::vector<std::string> columns{"time_s", "step", "dt_s"};
   for (const Tool& tool : model.tools) columns.push_back(fmt::format("force_{}_N", tool.name));
+  for (const Boundary& b : model.boundaries)
+    if (b.motion) columns.push_back(fmt::format("force_{}_N", b.name));
   for (const Tool& tool : model.tools) columns.push_back(fmt::format("position_{}_m", tool.name));
+  for (const Boundary& b : model.boundaries)
+    if (b.motion) columns.push_back(fmt::format("position_{}_m", b.name));
   for (const auto& [kind, value] : listed(Energies{})) columns.push_back(fmt::format("energy_{}_J", kind));
   for (const char* name : {"energy_error", "kinetic_to_internal", "draw_in_x_mid_mm", "draw_in_y_mid_mm",
                            "draw_in_corner_mm", "shear_angle_max_deg", "fibre_strain_p99", "penetration_mm"})
@@ -100,7 +104,11 @@ void Recorder::history(const System& s)
   std::vector<double> row{s.sheet.time, static_cast<double>(s.sheet.step), s.sheet.last_dt};
   for (std::size_t i = 0; i < s.tools.size(); ++i)
     row.push_back(dot(s.tools[i].reaction, model_.tools[i].direction));
+  for (std::size_t i = 0; i < s.boundaries.size(); ++i)
+    if (model_.boundaries[i].motion) row.push_back(model_.boundaries[i].whole_edge * s.boundaries[i].force);
   for (const ToolState& tool : s.tools) row.push_back(tool.displacement);
+  for (std::size_t i = 0; i < s.boundaries.size(); ++i)
+    if (model_.boundaries[i].motion) row.push_back(s.boundaries[i].displacement);
   for (const auto& [kind, value] : listed(energies_)) row.push_back(value);
   row.insert(row.end(),
              {energies_.error(), kinetic_to_internal(energies_), 1e3 * draw_in_.x_mid, 1e3 * draw_in_.y_mid,
@@ -119,6 +127,10 @@ void Recorder::frame(const System& s, Progress& progress)
     if (model_.tools[i].motion)
       forces += fmt::format("  {} {:.1f} N", model_.tools[i].name,
                             dot(s.tools[i].reaction, model_.tools[i].direction));
+  for (std::size_t i = 0; i < s.boundaries.size(); ++i)
+    if (model_.boundaries[i].motion)
+      forces += fmt::format("  {} {:.2f} N", model_.boundaries[i].name,
+                            model_.boundaries[i].whole_edge * s.boundaries[i].force);
   progress.line(fmt::format(
       "t {:7.3f} ms  step {:6d}  dt {:.2f} us  shear max {:4.1f} deg{}  work {:.3f} J  kinetic {:.3f} J  "
       "energy error {:.2f} %",

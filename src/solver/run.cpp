@@ -195,6 +195,11 @@ std::string describe_run(const Case& c)
                         tool.name, tool.surface.mesh().triangles.size(), 1e3 * low.x, 1e3 * high.x,
                         1e3 * low.y, 1e3 * high.y, 1e3 * low.z, 1e3 * high.z, tool.friction, drive);
   }
+  for (const Boundary& b : model.boundaries)
+    text += fmt::format(
+        "boundary '{}': holds {} nodes, {}\n", b.name, b.nodes.size(),
+        b.motion ? fmt::format("moves {:.4g} mm by the end", 1e3 * b.motion->displacement(c.time.end))
+                 : "clamped");
   return text;
 }
 

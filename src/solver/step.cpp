@@ -61,6 +61,8 @@ void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
     tool.reaction *= model.mirror_factor;
   }
   hold_on_mirrors(model.blank, s.sheet);
+  for (std::size_t i = 0; i < model.boundaries.size(); ++i)
+    take_reaction(model.boundaries[i], s.boundaries[i], s.sheet);
   phases.mark(Phase::contact);
 }
 
@@ -68,6 +70,8 @@ void step(const Model& model, System& s, double dt, Phases& phases)
 {
   const double time = s.sheet.time, kick = 0.5 * (s.sheet.last_dt + dt);
   s.fastest = advance_sheet(model, s.sheet, dt);
+  for (std::size_t i = 0; i < model.boundaries.size(); ++i)
+    s.fastest = std::max(s.fastest, advance(model.boundaries[i], s.boundaries[i], s.sheet, time, dt));
   const std::vector<ToolState> before = s.tools;
   for (std::size_t i = 0; i < model.tools.size(); ++i) advance(model.tools[i], s.tools[i], time, dt, kick);
   phases.mark(Phase::advance);
