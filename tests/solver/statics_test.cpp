@@ -1,0 +1,2 @@
+#include "solver/statics_increments.hpp"
+#include <gtest/gtest.h>
