@@ -13,14 +13,18 @@ enum class Pattern { cross, diagonal, unstructured };
 /// `quarter` both.
 enum class Symmetry { none, x, y, quarter };
 
+/// Quadrilaterals are for the implicit solver.
+enum class ElementShape { triangle, quadrilateral };
+
 /// The rectangular blank of a case, flat in the plane z = 0, centred on the origin.
 struct BlankParameters {
   Vec2 size;                   ///< whole blank, along x and y [m]
-  std::optional<int> elements; ///< wanted number of triangles of the whole blank, or
+  std::optional<int> elements; ///< wanted number of elements of the whole blank, or
   std::optional<double> edge;  ///< wanted edge of the grid's squares [m]
   double fibre_angle = 0.0;    ///< warp against x [rad]
   double mesh_angle = 0.0;     ///< grid lines against the warp [rad]
   Pattern pattern = Pattern::diagonal;
+  ElementShape element = ElementShape::triangle;
   double thickness = 0.0; ///< [m]
   Symmetry symmetry = Symmetry::none;
 };

@@ -24,6 +24,24 @@ struct ToolParameters {
   double mass = 0.0;           ///< of a force-driven tool [kg]
 };
 
+/// Edges of the blank that a specimen test holds and moves.
+///
+/// A grip holds every node of one edge: all three components fixed, or, with a motion, moved rigidly along
+/// its axis and held across it. A picture frame holds all four edges of a square blank in rigid arms of its
+/// side L, hinged at the corners: corner (-a/2, -b/2) is fixed and the opposite one moves by the motion's
+/// displacement d along the diagonal (axis has no meaning; d > 0 opens the frame), which shears the sheet by
+///   theta = pi/2 - 2 acos(1/sqrt 2 + d/(2L))                                                        (Eq. 13)
+/// Nodes keep their fraction of the way along their arm.
+struct BoundaryParameters {
+  enum class Kind { grip, picture_frame };
+  enum class Edge { left, right, bottom, top }; ///< x = -a/2, x = a/2, y = -b/2, y = b/2
+
+  std::string name;
+  Kind kind = Kind::grip;
+  Edge edge = Edge::left; ///< of a grip
+  std::optional<Motion> motion;
+};
+
 struct TimeParameters {
   double end = 0.0;           ///< [s]
   double safety = 0.9;        ///< step over the stable step
@@ -51,14 +69,19 @@ struct OutputParameters {
   int history = 200; ///< rows of history.csv after the initial one
 };
 
+/// Explicit dynamics, or quasi-static equilibrium by Newton's method.
+enum class SolverKind { explicit_dynamics, implicit };
+
 /// A case as read: every value resolved, in SI units, within its range.
 struct Case {
   std::string title;
   std::filesystem::path path; ///< the case file
   std::string text;           ///< its text, as read
+  SolverKind solver = SolverKind::explicit_dynamics;
   BlankParameters blank;
   MaterialParameters material;
   std::vector<ToolParameters> tools;
+  std::vector<BoundaryParameters> boundaries;
   TimeParameters time;
   ContactParameters contact;
   GateParameters gates;
@@ -70,8 +93,8 @@ struct Case {
 };
 
 /// Reads and validates a case file; `overrides` are `key.path=value` texts that replace or add keys
-/// (a tool's keys as `tool.punch.friction=0.1`, by its name). Cards and meshes are looked for in the case's
-/// folder, the current folder and towform's own data. Throws InputError with every issue found.
+/// (a tool's or boundary's keys by its name, `tool.punch.friction=0.1`). Cards and meshes are looked for in
+/// the case's folder, the current folder and towform's own data. Throws InputError with every issue found.
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 /// The case with every value written out, defaults too, as a TOML text that reads back to the same case.

@@ -49,7 +49,9 @@ public:
     for (const Row& row : key_table()) sections.insert(row.section());
     for (const std::string& section : sections) {
       if (section == "tool")
-        read_tools();
+        read_list(section, c_.tools);
+      else if (section == "boundary")
+        read_list(section, c_.boundaries);
       else
         read_section(section);
     }
@@ -72,23 +74,29 @@ private:
     read_keys(section, table == nullptr ? nothing : *table, target, section);
   }
 
-  void read_tools()
+  Target target_of(ToolParameters& tool) { return {c_, &tool}; }
+  Target target_of(BoundaryParameters& boundary) { return {c_, nullptr, &boundary}; }
+
+  /// The tools or the boundaries.
+  template <class Parameters>
+  void read_list(const std::string& section, std::vector<Parameters>& entries)
   {
-    const Value* tools = document_.find("tool");
-    if (tools == nullptr || tools->kind != Value::Kind::list) return;
-    c_.tools.resize(tools->items.size());
-    for (std::size_t i = 0; i < c_.tools.size(); ++i) {
-      const std::string at = fmt::format("tool[{}]", i);
-      const Value& table = tools->items[i];
+    const Value* tables = document_.find(section);
+    if (tables == nullptr || tables->kind != Value::Kind::list) return;
+    entries.resize(tables->items.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const std::string at = fmt::format("{}[{}]", section, i);
+      const Value& table = tables->items[i];
       c_.locations[at] = table.where;
       if (!table.is_table()) continue;
-      Target target{c_, &c_.tools[i]};
+      Target target = target_of(entries[i]);
       if (const Value* motion = table.find("motion"); motion != nullptr && motion->is_table()) {
-        target.tool->motion.emplace();
+        target.motion().emplace();
         c_.locations[at + ".motion"] = motion->where;
       }
-      read_keys("tool", table, target, at);
-      if (const Value* mesh = table.find("mesh"); mesh != nullptr && !mesh->text.empty())
+      read_keys(section, table, target, at);
+      if (const Value* mesh = table.find("mesh");
+          target.tool != nullptr && mesh != nullptr && !mesh->text.empty())
         read_mesh(*target.tool, at);
     }
   }
@@ -99,7 +107,7 @@ private:
     for (const Row& row : key_table()) {
       if (row.section() != section) continue;
       const std::string rest = section.empty() ? row.path : row.path.substr(section.size() + 1);
-      if (row.path.starts_with("tool.motion.") && !target.tool->motion) continue;
+      if (is_motion_key(row) && !target.motion()) continue;
       const Value* value = find_path(&table, rest);
       if (value == nullptr && section == "material") value = find_path(&card_, rest);
       const bool idle =

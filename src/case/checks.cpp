@@ -18,12 +18,23 @@ struct Checker {
     issues.push_back({c.where(key), message});
   }
 
+  /// Is a key's value already known to be wrong?
+  [[nodiscard]] bool unread(const std::string& key) const
+  {
+    const SourceLocation at = c.where(key);
+    return std::any_of(issues.begin(), issues.end(), [&](const InputIssue& issue) {
+      return issue.where.file == at.file && issue.where.line == at.line && issue.where.column == at.column;
+    });
+  }
+
   void blank() const
   {
     if (!given("blank")) return;
     if (given("blank.elements") && given("blank.edge"))
       issue("blank.edge", "blank has both elements and edge; give one");
     if (!given("blank.elements") && !given("blank.edge")) issue("blank", "blank needs elements or edge");
+    if (c.blank.element == ElementShape::quadrilateral && c.solver != SolverKind::implicit)
+      issue("blank.element", "blank.element \"quadrilateral\" needs solver = \"implicit\"");
   }
 
   void material() const
@@ -66,24 +77,96 @@ struct Checker {
       issue(at + ".profile", label + ": profile \"smooth\" needs a displacement");
   }
 
+  void name(const std::string& section, const std::string& at, const std::string& name,
+            std::set<std::string>& names) const
+  {
+    if (!given(at + ".name") || name.empty()) return;
+    const bool plain = std::all_of(name.begin(), name.end(), [](char letter) {
+      return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+             (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
+    });
+    if (!plain)
+      issue(at + ".name",
+            fmt::format("{}.name \"{}\" may have letters, digits, _ and - only", section, name));
+    if (!names.insert(name).second)
+      issue(at + ".name", fmt::format("a second tool or boundary named \"{}\"", name));
+  }
+
   void tool(std::size_t i, std::set<std::string>& names) const
   {
     const ToolParameters& t = c.tools[i];
     const std::string at = fmt::format("tool[{}]", i);
     const std::string name = t.name.empty() ? "tool" : "tool." + t.name;
-    if (given(at + ".name") && !t.name.empty()) {
-      const bool plain = std::all_of(t.name.begin(), t.name.end(), [](char letter) {
-        return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-               (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
-      });
-      if (!plain)
-        issue(at + ".name", fmt::format("tool.name \"{}\" may have letters, digits, _ and - only", t.name));
-      if (!names.insert(t.name).second)
-        issue(at + ".name", fmt::format("a second tool named \"{}\"", t.name));
-    }
+    this->name("tool", at, t.name, names);
     const bool force = given(at + ".force"), motion_given = given(at + ".motion");
     if (force && motion_given) issue(at + ".force", name + " has both motion and force; give one");
     if (t.motion) motion(name + ".motion", at + ".motion", *t.motion);
+  }
+
+  void grip(const std::string& name, const std::string& at, const BoundaryParameters& b) const
+  {
+    if (!given(at + ".edge")) {
+      issue(at, name + ".edge is missing (left, right, bottom or top: the edge that the grip holds)");
+      return;
+    }
+    if (b.motion && !given(at + ".motion.axis"))
+      issue(at + ".motion", name + ".motion.axis is missing (x, y or z: along which the grip moves)");
+    const bool half_x = c.blank.symmetry == Symmetry::x || c.blank.symmetry == Symmetry::quarter;
+    const bool half_y = c.blank.symmetry == Symmetry::y || c.blank.symmetry == Symmetry::quarter;
+    using Edge = BoundaryParameters::Edge;
+    if ((half_x && b.edge == Edge::left) || (half_y && b.edge == Edge::bottom))
+      issue(at + ".edge", name + ".edge is not in the part that blank.symmetry keeps; hold the opposite one");
+    const bool upright = b.edge == Edge::left || b.edge == Edge::right;
+    const bool off_mirror = b.motion && ((half_x && !upright && b.motion->axis == Axis::x) ||
+                                         (half_y && upright && b.motion->axis == Axis::y));
+    if (off_mirror)
+      issue(at + ".motion.axis", name + ".motion pulls the edge off the mirror plane that it crosses");
+  }
+
+  void picture_frame(const std::string& name, const std::string& at) const
+  {
+    if (given(at + ".edge"))
+      issue(at + ".edge", name + ".edge has no effect: a picture frame holds all four edges");
+    if (given(at + ".motion.axis"))
+      issue(at + ".motion.axis",
+            name + ".motion.axis has no effect: a picture frame opens along its diagonal");
+    if (c.blank.size.x != c.blank.size.y)
+      issue("blank.size", name + ": a picture frame needs a square blank");
+    if (c.blank.symmetry != Symmetry::none)
+      issue("blank.symmetry", name + ": a picture frame needs the whole blank, symmetry = \"none\"");
+    if (c.boundaries.size() > 1)
+      issue(at, name + ": a picture frame holds all four edges and leaves none to other boundaries");
+  }
+
+  void boundary(std::size_t i, std::set<std::string>& names) const
+  {
+    const BoundaryParameters& b = c.boundaries[i];
+    const std::string at = fmt::format("boundary[{}]", i);
+    const std::string name = b.name.empty() ? "boundary" : "boundary." + b.name;
+    this->name("boundary", at, b.name, names);
+    if (b.motion) motion(name + ".motion", at + ".motion", *b.motion);
+    if (b.kind == BoundaryParameters::Kind::picture_frame)
+      picture_frame(name, at);
+    else
+      grip(name, at, b);
+    for (std::size_t j = 0; j < i; ++j) same_nodes(i, j);
+  }
+
+  /// Two grips must not pull a node two ways.
+  void same_nodes(std::size_t i, std::size_t j) const
+  {
+    const BoundaryParameters &b = c.boundaries[i], &other = c.boundaries[j];
+    const std::string at = fmt::format("boundary[{}]", i);
+    const auto is_grip = [](const BoundaryParameters& p) { return p.kind == BoundaryParameters::Kind::grip; };
+    if (!is_grip(b) || !is_grip(other) || !given(at + ".edge") || !given(fmt::format("boundary[{}].edge", j)))
+      return;
+    using Edge = BoundaryParameters::Edge;
+    const auto upright = [](Edge edge) { return edge == Edge::left || edge == Edge::right; };
+    if (b.edge == other.edge)
+      issue(at + ".edge", fmt::format("boundary.{} holds the same edge as boundary.{}", b.name, other.name));
+    else if (upright(b.edge) != upright(other.edge) && (b.motion || other.motion))
+      issue(at + ".edge", fmt::format("boundary.{} shares a corner with boundary.{}: neither can move",
+                                      b.name, other.name));
   }
 };
 
@@ -96,6 +179,7 @@ void check_case(const Case& c, std::vector<InputIssue>& issues)
   checker.material();
   std::set<std::string> names;
   for (std::size_t i = 0; i < c.tools.size(); ++i) checker.tool(i, names);
+  for (std::size_t i = 0; i < c.boundaries.size(); ++i) checker.boundary(i, names);
 }
 
 } // namespace towform

@@ -17,6 +17,13 @@ const Row& row_of(const std::string& path)
   return *std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.path == path; });
 }
 
+bool is_list_section(const std::string& section) { return section == "tool" || section == "boundary"; }
+
+bool is_motion_key(const Row& row)
+{
+  return row.path.starts_with("tool.motion.") || row.path.starts_with("boundary.motion.");
+}
+
 namespace {
 
 /// Words for the enumerators of E, in their order.
@@ -34,6 +41,16 @@ Words only_word(const std::string& name)
   return {{name}, [](Target&) { return 0; }, [](Target&, int) {}};
 }
 
+/// Words that mean something for grips only.
+Words of_grips(Words w)
+{
+  return {std::move(w.names),
+          [get = std::move(w.get)](Target& t) {
+            return t.boundary->kind == BoundaryParameters::Kind::grip ? get(t) : -1;
+          },
+          std::move(w.set)};
+}
+
 using D = Dimension;
 
 // clang-format off
@@ -45,13 +62,15 @@ std::vector<Row> all_rows()
   const std::vector<std::string> axes{"x", "y", "z"};
   return {
     {"title", AT(c.title), D::none, "\"\"", "", "shown in results and reports"},
+    {"solver", words(AT(c.solver), {"explicit", "implicit"}), D::none, "explicit", "", "explicit dynamics, or quasi-static equilibrium for specimen tests"},
 
     {"blank.size", AT(c.blank.size), D::length, required, "> 0", "whole blank along x and y, centred on the origin"},
-    {"blank.elements", AT(c.blank.elements), D::none, optional, "2 .. 20000000", "wanted number of triangles of the whole blank; this or edge"},
+    {"blank.elements", AT(c.blank.elements), D::none, optional, "2 .. 20000000", "wanted number of elements of the whole blank; this or edge"},
     {"blank.edge", AT(c.blank.edge), D::length, optional, "> 0", "wanted edge of the grid's squares; this or elements"},
     {"blank.fibre_angle", AT(c.blank.fibre_angle), D::angle, "0 deg", "", "warp against x"},
     {"blank.mesh_angle", AT(c.blank.mesh_angle), D::angle, "0 deg", "", "grid lines against the warp"},
     {"blank.pattern", words(AT(c.blank.pattern), {"cross", "diagonal", "unstructured"}), D::none, "diagonal", "", "how squares become triangles; unstructured has no grid"},
+    {"blank.element", words(AT(c.blank.element), {"triangle", "quadrilateral"}), D::none, "triangle", "", "quadrilateral needs solver = \"implicit\" and keeps the grid's squares whole"},
     {"blank.thickness", AT(c.blank.thickness), D::length, required, "1 um .. 0.1 m", "of the whole sheet at the start"},
     {"blank.symmetry", words(AT(c.blank.symmetry), {"none", "x", "y", "quarter"}), D::none, "none", "", "x models the half x >= 0, y the half y >= 0, quarter both"},
 
@@ -92,11 +111,20 @@ std::vector<Row> all_rows()
     {"tool.force", AT(tool->force), D::force, optional, "", "pushes the tool along axis; this or motion, neither fixes it"},
     {"tool.axis", words(AT(tool->axis), axes), D::none, "z", "", "of the force", "tool.force"},
     {"tool.mass", AT(tool->mass), D::mass, "0.5 kg", "> 0", "of the tool that the force moves", "tool.force"},
-    {"tool.motion.axis", words(AT(tool->motion->axis), axes), D::none, "z", "", "of the motion"},
-    {"tool.motion.profile", words(AT(tool->motion->profile), {"constant", "smooth", "table"}), D::none, "constant", "", "of the speed; smooth starts and ends at rest"},
+    {"tool.motion.axis", words(AT(motion()->axis), axes), D::none, "z", "", "of the motion"},
+    {"tool.motion.profile", words(AT(motion()->profile), {"constant", "smooth", "table"}), D::none, "constant", "", "of the speed; smooth starts and ends at rest"},
     {"tool.motion.displacement", MotionAmount{Motion::Quantity::displacement}, D::length, optional, "", "reached at time.end; this or velocity"},
     {"tool.motion.velocity", MotionAmount{Motion::Quantity::velocity}, D::velocity, optional, "", "kept up throughout; this or displacement"},
     {"tool.motion.table", MotionTable{}, D::none, optional, "", "[[time, value], …] of profile table, values with a unit of length or velocity"},
+
+    {"boundary.name", AT(boundary->name), D::none, required, "", "letters, digits, _ and -; names the boundary in results, unlike any tool"},
+    {"boundary.kind", words(AT(boundary->kind), {"grip", "picture_frame"}), D::none, "grip", "", "holds one edge, or all four of a square blank in a frame hinged at the corners"},
+    {"boundary.edge", of_grips(words(AT(boundary->edge), {"left", "right", "bottom", "top"})), D::none, optional, "", "that a grip holds: x = -a/2, x = a/2, y = -b/2, y = b/2"},
+    {"boundary.motion.axis", of_grips(words(AT(motion()->axis), axes)), D::none, optional, "", "along which a grip moves; a frame's corner (a/2, b/2) moves along the diagonal, opening the frame"},
+    {"boundary.motion.profile", words(AT(motion()->profile), {"constant", "smooth", "table"}), D::none, "constant", "", "of the speed; smooth starts and ends at rest"},
+    {"boundary.motion.displacement", MotionAmount{Motion::Quantity::displacement}, D::length, optional, "", "reached at time.end; this or velocity"},
+    {"boundary.motion.velocity", MotionAmount{Motion::Quantity::velocity}, D::velocity, optional, "", "kept up throughout; this or displacement"},
+    {"boundary.motion.table", MotionTable{}, D::none, optional, "", "[[time, value], …] of profile table, values with a unit of length or velocity"},
 
     {"time.end", AT(c.time.end), D::time, required, "> 0", "of the run"},
     {"time.safety", AT(c.time.safety), D::none, "0.9", "> 0, <= 1", "step over the stable step"},

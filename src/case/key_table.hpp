@@ -8,16 +8,24 @@
 
 namespace towform {
 
-/// What the keys of a section write to: the case, and the tool for keys of [[tool]].
+/// What the keys of a section write to: the case, and the tool or boundary for keys of [[tool]] and
+/// [[boundary]].
 struct Target {
   Case& c;
   ToolParameters* tool = nullptr;
+  BoundaryParameters* boundary = nullptr;
+
+  /// Of the tool or boundary; one of them there must be.
+  [[nodiscard]] std::optional<Motion>& motion() const
+  {
+    return tool != nullptr ? tool->motion : boundary->motion;
+  }
 };
 
 template <class T>
 using At = T& (*)(Target&);
 
-/// A value that is one of a few words; the numbers are places in the list.
+/// A value that is one of a few words; the numbers are places in the list, negative when it has no meaning.
 struct Words {
   std::vector<std::string> names;
   std::function<int(Target&)> get;
@@ -41,7 +49,8 @@ using Binding =
 inline const std::string required = "required"; ///< the case (or its card) must give the key
 inline const std::string optional = "-";        ///< the key may be left out
 
-/// One key of a case: everything there is to know about it. Keys of [[tool]] are `tool.…`.
+/// One key of a case: everything there is to know about it. Keys of [[tool]] are `tool.…`, of [[boundary]]
+/// `boundary.…`.
 struct Row {
   std::string path;
   Binding binding;
@@ -55,6 +64,12 @@ struct Row {
   [[nodiscard]] std::string section() const; ///< first part of the path; empty for a key of no table
   [[nodiscard]] std::string name() const;    ///< last part of the path
 };
+
+/// Is a section a list of tables, each with a name: [[tool]], [[boundary]]?
+bool is_list_section(const std::string& section);
+
+/// Is it a key of the table `motion` of a tool or boundary?
+bool is_motion_key(const Row& row);
 
 /// All keys of a case, in the order in which they are echoed.
 const std::vector<Row>& key_table();

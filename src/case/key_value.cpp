@@ -23,16 +23,17 @@ std::string get_key(const Row& row, Target& target)
             const Vec3 v = at(target);
             return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
           },
-          [&](const Words& words) {
-            return in_quotes(words.names[static_cast<std::size_t>(words.get(target))]);
+          [&](const Words& words) -> std::string {
+            const int place = words.get(target);
+            return place < 0 ? "" : in_quotes(words.names[static_cast<std::size_t>(place)]);
           },
           [&](const MotionAmount& amount) -> std::string {
-            const Motion& motion = *target.tool->motion;
+            const Motion& motion = *target.motion();
             const bool shown = motion.profile != Motion::Profile::table && motion.quantity == amount.quantity;
             return shown ? number(motion.amount) : "";
           },
           [&](const MotionTable&) -> std::string {
-            const Motion& motion = *target.tool->motion;
+            const Motion& motion = *target.motion();
             if (motion.profile != Motion::Profile::table) return "";
             const bool velocity = motion.quantity == Motion::Quantity::velocity;
             std::vector<std::string> points;
@@ -68,8 +69,11 @@ std::string type_of(const Row& row)
 
 std::string label(const Row& row, const Target& target)
 {
-  if (target.tool == nullptr || target.tool->name.empty() || row.name() == "name") return row.path;
-  return "tool." + target.tool->name + row.path.substr(4);
+  const std::string section = row.section();
+  if (!is_list_section(section) || row.name() == "name") return row.path;
+  const std::string& name = target.tool != nullptr ? target.tool->name : target.boundary->name;
+  if (name.empty()) return row.path;
+  return section + "." + name + row.path.substr(section.size());
 }
 
 } // namespace towform

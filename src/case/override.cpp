@@ -1,4 +1,5 @@
 #include "override.hpp"
+#include "key_table.hpp"
 #include "suggestion.hpp"
 #include <map>
 
@@ -24,20 +25,20 @@ std::vector<std::string> parts_of(const std::string& path)
   return parts;
 }
 
-/// The tool of a name, or null after an issue.
-Value* find_tool(Value& document, const std::string& name, const SourceLocation& where,
-                 std::vector<InputIssue>& issues)
+/// The tool or boundary of a name, or null after an issue.
+Value* find_named(Value& document, const std::string& section, const std::string& name,
+                  const SourceLocation& where, std::vector<InputIssue>& issues)
 {
   std::vector<std::string> names;
-  if (Value* tools = document.find("tool"); tools != nullptr && tools->kind == Value::Kind::list) {
-    for (Value& tool : tools->items) {
-      const Value* tool_name = tool.find("name");
-      if (tool_name == nullptr) continue;
-      if (tool_name->text == name) return &tool;
-      names.push_back(tool_name->text);
+  if (Value* list = document.find(section); list != nullptr && list->kind == Value::Kind::list) {
+    for (Value& entry : list->items) {
+      const Value* entry_name = entry.find("name");
+      if (entry_name == nullptr) continue;
+      if (entry_name->text == name) return &entry;
+      names.push_back(entry_name->text);
     }
   }
-  std::string message = "there is no tool `" + name + "`";
+  std::string message = "there is no " + section + " `" + name + "`";
   const std::string near = nearest(name, names);
   if (!near.empty())
     message += did_you_mean(near);
@@ -62,12 +63,12 @@ void apply_override(Value& document, const std::string& text, std::vector<InputI
   }
   Value* table = &document;
   std::size_t next = 0;
-  if (parts[0] == "tool") {
+  if (is_list_section(parts[0])) {
     if (parts.size() < 3) {
-      issues.push_back({where, "a tool's key is given as tool.NAME.key=value"});
+      issues.push_back({where, "a " + parts[0] + "'s key is given as " + parts[0] + ".NAME.key=value"});
       return;
     }
-    table = find_tool(document, parts[1], where, issues);
+    table = find_named(document, parts[0], parts[1], where, issues);
     if (table == nullptr) return;
     next = 2;
   }

@@ -46,6 +46,9 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   for (ToolParameters& tool : c.tools) {
     if (tool.motion) tool.motion->duration = c.time.end;
   }
+  for (BoundaryParameters& boundary : c.boundaries) {
+    if (boundary.motion) boundary.motion->duration = c.time.end;
+  }
   check_case(c, issues);
   if (!issues.empty()) throw InputError(sorted_by_place(issues, path.string()));
   if (!c.material.card.empty() && !is_own_card(c.material.card_file))

@@ -11,7 +11,7 @@ std::string keys_of(const std::string& section, Target target)
   std::string text;
   for (const Row& row : key_table()) {
     if (row.section() != section) continue;
-    if (row.path.starts_with("tool.motion.") && !target.tool->motion) continue;
+    if (is_motion_key(row) && !target.motion()) continue;
     if (!row.only_with.empty() && get_key(row_of(row.only_with), target).empty()) continue;
     const std::string value = get_key(row, target);
     const std::string key = section.empty() ? row.path : row.path.substr(section.size() + 1);
@@ -34,6 +34,9 @@ std::string resolved_case(const Case& original)
       text += keys_of(section, {c});
     } else if (section == "tool") {
       for (ToolParameters& tool : c.tools) text += "\n[[tool]]\n" + keys_of(section, {c, &tool});
+    } else if (section == "boundary") {
+      for (BoundaryParameters& boundary : c.boundaries)
+        text += "\n[[boundary]]\n" + keys_of(section, {c, nullptr, &boundary});
     } else {
       text += fmt::format("\n[{}]\n{}", section, keys_of(section, {c}));
     }

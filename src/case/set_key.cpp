@@ -160,7 +160,7 @@ struct Reading {
       return must_be(table, "two or more points, such as [[0, \"0 mm\"], [\"60 ms\", \"-60 mm\"]]");
     const std::optional<Motion::Quantity> quantity = quantity_of(table);
     if (!quantity) return;
-    Motion& motion = *target.tool->motion;
+    Motion& motion = *target.motion();
     motion.quantity = *quantity;
     for (const Value& point : table.items) {
       if (point.kind != Kind::list || point.items.size() != 2) {
@@ -202,8 +202,8 @@ void set_key(const Row& row, const Value& value, Target& target, std::vector<Inp
                  },
                  [&](const Words& words) { reading.word(value, words); },
                  [&](const MotionAmount& amount) {
-                   target.tool->motion->quantity = amount.quantity;
-                   put(target.tool->motion->amount, reading.real(value, row.dimension));
+                   target.motion()->quantity = amount.quantity;
+                   put(target.motion()->amount, reading.real(value, row.dimension));
                  },
                  [&](const MotionTable&) { reading.motion_table(value); },
              },

@@ -53,7 +53,10 @@ std::string suggestion(const std::string& name, const std::string& path)
   return (path.empty() ? "; a case has " : "; its keys are ") + listed(here, "and");
 }
 
-std::string header(const std::string& path) { return path == "tool" ? "[[tool]]" : "[" + path + "]"; }
+std::string header(const std::string& path)
+{
+  return is_list_section(path) ? "[[" + path + "]]" : "[" + path + "]";
+}
 
 bool is_table_list(const Value& value)
 {
@@ -76,16 +79,18 @@ void find_unknown_keys(const Value& table, const std::string& path, std::vector<
       issues.push_back({item.key_where, what + suggestion(item.key, path)});
     } else if (is_row(item_path)) {
       continue; // its value is read elsewhere
-    } else if (item_path == "tool") {
+    } else if (is_list_section(item_path)) {
       if (item.kind != Value::Kind::list) {
-        issues.push_back({item.where, "a tool begins with [[tool]], in two brackets"});
+        issues.push_back(
+            {item.where, "a " + item_path + " begins with " + header(item_path) + ", in two brackets"});
         continue;
       }
-      for (const Value& tool : item.items) {
-        if (tool.is_table())
-          find_unknown_keys(tool, "tool", issues);
+      for (const Value& entry : item.items) {
+        if (entry.is_table())
+          find_unknown_keys(entry, item_path, issues);
         else
-          issues.push_back({tool.where, "a tool must be a table [[tool]], not " + tool.shown()});
+          issues.push_back({entry.where, "a " + item_path + " must be a table " + header(item_path) +
+                                             ", not " + entry.shown()});
       }
     } else if (!item.is_table()) {
       issues.push_back({item.where, item_path + " must be a table " +
