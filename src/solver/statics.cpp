@@ -36,6 +36,12 @@ struct Trial {
   bool valid = false;
 };
 
+/// Seen from above, as it was in the flat sheet.
+bool faces_up(const Quadrilateral& q, std::span<const Vec3> x)
+{
+  return cross(x[q[2]] - x[q[0]], x[q[3]] - x[q[1]]).z > 0.0;
+}
+
 class Increment {
 public:
   Increment(const StaticsModel& model, const StaticsState& s, double dt) : model_(model), s_(s), dt_(dt) {}
@@ -53,6 +59,7 @@ public:
     QuadrilateralMembrane::Vector f;
     QuadrilateralMembrane::Matrix k;
     for (std::size_t e = 0; e < elements; ++e) {
+      if (!faces_up(model_.membrane.elements[e], t.position)) return;
       if (!model_.membrane.response(e, t.position, {dt_, s_.shear, t.shear, t.lost}, f,
                                     tangent ? &k : nullptr))
         return;
