@@ -16,6 +16,12 @@ struct YarnLaw {
   {
     return stiffness * (compression_factor * strain + (1.0 - compression_factor) * pull(strain));
   }
+  /// dT/dstrain [N/m].
+  [[nodiscard]] double slope(double strain) const
+  {
+    const double pulled = 0.5 * (1.0 + strain / std::hypot(strain, softness));
+    return stiffness * (compression_factor + (1.0 - compression_factor) * pulled);
+  }
   /// Strain energy per reference area, the integral of T [J/m^2].
   [[nodiscard]] double energy(double strain) const
   {

@@ -37,7 +37,26 @@ struct ViscousLaw {
     return std::abs(p.force) * rate;
   }
 
+  /// dN/dtheta of the update from `before` to `after`, by implicit differentiation of its equation [N/m per
+  /// rad].
+  double tangent(const ShearPoint& before, const ShearPoint& after, double dt) const
+  {
+    const double trial = before.force + modulus * (after.angle - before.angle);
+    const double over_rate = surface->slice(after.angle).at(after.rate).slope;
+    const double over_angle = std::copysign(1.0, trial) * slope_over_angle(after);
+    return modulus * (over_rate + dt * over_angle) / (over_rate + modulus * dt);
+  }
+
 private:
+  /// dN_s/dtheta of the table: it is linear across a cell of angles.
+  [[nodiscard]] double slope_over_angle(const ShearPoint& p) const
+  {
+    const double cell = surface->max_angle() / ShearTable::angle_cells, place = std::abs(p.angle) / cell;
+    const double low = place < ShearTable::angle_cells - 1 ? std::floor(place) : ShearTable::angle_cells - 1;
+    const double rise = surface->force((low + 1.0) * cell, p.rate) - surface->force(low * cell, p.rate);
+    return std::copysign(rise / cell, p.angle);
+  }
+
   static constexpr int max_iterations = 50;
   static constexpr double tolerance = 1e-9;
 };
@@ -59,7 +78,28 @@ struct IncrementalLaw {
     return 0.0;
   }
 
+  /// dN/dtheta of the update from `before` to `after` [N/m per rad].
+  double tangent(const ShearPoint& before, const ShearPoint& after, double dt) const
+  {
+    const double step = after.angle - before.angle, middle = 0.5 * (after.angle + before.angle);
+    const double rate = after.rate * velocity_scale;
+    constexpr double span = 1e-4; // the curves are smooth polynomials: exact to nine digits
+    const double bend = (slope(middle + span, rate) - slope(middle - span, rate)) / (2.0 * span);
+    return slope(middle, rate) + 0.5 * step * bend +
+           std::abs(step) * velocity_scale / dt * slope_over_rate(middle, rate);
+  }
+
 private:
+  /// How the slope changes with the rate between two curves.
+  [[nodiscard]] double slope_over_rate(double angle, double rate) const
+  {
+    const auto count = static_cast<double>(curves->curves.size());
+    const double position = curves->position(rate);
+    if (selection == CurveSelection::next_higher || position <= 1.0 || position >= count) return 0.0;
+    const ShearCurve* low = &curves->curves[static_cast<std::size_t>(position) - 1];
+    return (low[1].slope(angle) - low[0].slope(angle)) / (low[1].rate() - low[0].rate());
+  }
+
   [[nodiscard]] double slope(double angle, double rate) const
   {
     if (selection == CurveSelection::next_higher)
@@ -86,6 +126,13 @@ struct ElasticLaw {
     p.force = std::abs(angle) < joint ? curve.force(joint) * angle / joint
                                       : std::copysign(curve.force(angle), angle);
     return 0.0;
+  }
+
+  /// dN/dtheta at `after` [N/m per rad].
+  double tangent(const ShearPoint&, const ShearPoint& after, double) const
+  {
+    const ShearCurve& curve = curves->curves.front();
+    return std::abs(after.angle) < joint ? curve.force(joint) / joint : curve.slope(after.angle);
   }
 };
 

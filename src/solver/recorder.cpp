@@ -1,28 +1,12 @@
 #include "solver/recorder.hpp"
 #include "solver/gates.hpp"
-#include "version.hpp"
+#include "solver/provenance.hpp"
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace towform {
 
 namespace {
-
-Provenance provenance_of(const Case& c)
-{
-  Provenance p;
-  p.version = version::number;
-  p.git_hash = version::git_hash;
-  p.flags = version::flags;
-  p.title = c.title;
-  p.case_text = c.text;
-  p.resolved_case = resolved_case(c);
-  p.input_sha256.emplace_back(c.path.string(), sha256_of_file(c.path));
-  for (const ToolParameters& tool : c.tools)
-    p.input_sha256.emplace_back(tool.mesh.string(), sha256_of_file(tool.mesh));
-  return p;
-}
 
 std::vector<std::string> history_columns(const Model& model)
 {
@@ -40,14 +24,6 @@ std::vector<std::string> history_columns(const Model& model)
   return columns;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text)
-{
-  std::ofstream out(path);
-  out << text;
-  out.close();
-  if (!out) throw FileError(fmt::format("{}: cannot be written", path.string()));
-}
-
 double kinetic_to_internal(const Energies& e) { return e.internal() > 0.0 ? e.kinetic / e.internal() : 0.0; }
 
 } // namespace
@@ -57,7 +33,7 @@ Recorder::Recorder(const Case& c, const Model& model, const std::filesystem::pat
       results_(std::make_unique<ResultsWriter>(directory, model.blank.mesh, provenance_of(c))),
       history_(std::make_unique<HistoryWriter>(directory / "history.csv", history_columns(model)))
 {
-  write_text(directory / "case.resolved.toml", resolved_case(c));
+  write_resolved_case(c, directory);
   summary_.elements = static_cast<std::int64_t>(model.membrane.triangles.size());
   summary_.nodes = static_cast<std::int64_t>(model.mass.size());
   summary_.added_mass_fraction = model.added_mass_fraction;

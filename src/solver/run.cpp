@@ -1,48 +1,23 @@
 #include "towform/run.hpp"
 #include "element/stable_step.hpp"
+#include "output/text_file.hpp"
 #include "parallel/parallel.hpp"
+#include "solver/events.hpp"
 #include "solver/gates.hpp"
 #include "solver/model.hpp"
 #include "solver/progress.hpp"
 #include "solver/recorder.hpp"
+#include "solver/statics_run.hpp"
 #include "solver/step.hpp"
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
-#include <system_error>
 
 namespace towform {
 
 namespace {
-
-/// When something is written: history rows and frames, each evenly over the run.
-struct Event {
-  double time;
-  bool history, frame;
-};
-
-std::vector<Event> events_of(const Case& c)
-{
-  std::vector<Event> events;
-  const auto add = [&](int count, bool history, bool frame) {
-    for (int i = 1; i <= count; ++i)
-      events.push_back({c.time.end * (static_cast<double>(i) / count), history, frame});
-  };
-  add(c.output.history, true, false);
-  add(c.output.frames, true, true); // a frame always has its row
-  std::sort(events.begin(), events.end(), [](const Event& a, const Event& b) { return a.time < b.time; });
-  std::vector<Event> merged;
-  for (const Event& e : events) {
-    if (!merged.empty() && e.time - merged.back().time < 1e-9 * c.time.end) {
-      merged.back().frame = merged.back().frame || e.frame;
-      continue;
-    }
-    merged.push_back(e);
-  }
-  return merged;
-}
 
 /// The present stable step, never longer than the first.
 double present_step(const Model& model, const StepBound& bound, const System& s)
@@ -112,19 +87,11 @@ std::string closing(const Summary& s, const std::filesystem::path& directory)
       (directory / "results.h5, results.xdmf, history.csv, summary.json, run.log").string());
 }
 
-void make_directory(const std::filesystem::path& directory)
-{
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error || !std::filesystem::is_directory(directory))
-    throw FileError(fmt::format("{}: cannot be made a directory ({})", directory.string(),
-                                error ? error.message() : "a file is in its place"));
-}
-
 } // namespace
 
 RunOutcome run(const Case& c, const RunOptions& options)
 {
+  if (c.solver == SolverKind::implicit) return run_statics(c, options);
   set_threads(options.threads);
   const auto start_of_all = std::chrono::steady_clock::now();
   const Model model = build_model(c);
@@ -177,6 +144,7 @@ RunOutcome run(const Case& c, const RunOptions& options)
 
 std::string describe_run(const Case& c)
 {
+  if (c.solver == SolverKind::implicit) return describe_statics(c);
   const Model model = build_model(c);
   std::string text = headline(c, model) + '\n';
   text += fmt::format(

@@ -1,0 +1,33 @@
+#include "solver/provenance.hpp"
+#include "towform/error.hpp"
+#include "version.hpp"
+#include <fmt/format.h>
+#include <fstream>
+
+namespace towform {
+
+Provenance provenance_of(const Case& c)
+{
+  Provenance p;
+  p.version = version::number;
+  p.git_hash = version::git_hash;
+  p.flags = version::flags;
+  p.title = c.title;
+  p.case_text = c.text;
+  p.resolved_case = resolved_case(c);
+  p.input_sha256.emplace_back(c.path.string(), sha256_of_file(c.path));
+  for (const ToolParameters& tool : c.tools)
+    p.input_sha256.emplace_back(tool.mesh.string(), sha256_of_file(tool.mesh));
+  return p;
+}
+
+void write_resolved_case(const Case& c, const std::filesystem::path& directory)
+{
+  const std::filesystem::path path = directory / "case.resolved.toml";
+  std::ofstream out(path);
+  out << resolved_case(c);
+  out.close();
+  if (!out) throw FileError(fmt::format("{}: cannot be written", path.string()));
+}
+
+} // namespace towform
