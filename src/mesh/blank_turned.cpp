@@ -29,14 +29,6 @@ bool is_diagonal(double angle)
   return std::abs(std::remainder(angle - 0.5 * right_angle, right_angle)) < 1e-9;
 }
 
-/// At 45 degrees the grid is its own mirror image: the modelled part then has the grid's points on its mirror
-/// planes, where the diagonals of cells lie.
-Division division_of(const TurnedGrid& g)
-{
-  const double gap = (g.pattern == Pattern::cross ? std::numbers::sqrt2 / 2 : std::numbers::sqrt2) * g.edge;
-  return {g.side * g.edge, clearance * g.edge, is_diagonal(g.angle) ? gap : 0.0};
-}
-
 struct Key {
   int column, row;
   bool operator==(const Key&) const = default;
@@ -70,6 +62,22 @@ std::optional<Key> key_at(const Vec2& p, const Lattice& lattice)
   return key;
 }
 
+/// At 45 degrees the diagonals of cells lie along the sides. The grid is then its own mirror image, and the
+/// modelled part has the grid's points on its mirror planes; when all corners of the rectangle are points of
+/// the grid, the other sides have them too and no cell is out of shape.
+Division division_of(const Rectangle& r, const TurnedGrid& g)
+{
+  Division division{g.side * g.edge, clearance * g.edge, 0.0};
+  if (!is_diagonal(g.angle)) return division;
+  division.mirror_gap =
+      (g.pattern == Pattern::cross ? std::numbers::sqrt2 / 2 : std::numbers::sqrt2) * g.edge;
+  const Lattice lattice = lattice_of(g);
+  const Vec2 corners[] = {r.low, {r.high.x, r.low.y}, r.high, {r.low.x, r.high.y}};
+  if (std::all_of(std::begin(corners), std::end(corners), [&](const Vec2& p) { return key_at(p, lattice); }))
+    division.edge = division.mirror_gap;
+  return division;
+}
+
 /// Four lattice points of a cell lie on a circle, and rounding alone has chosen the diagonal between them:
 /// puts the pattern's in its place. A triangle has one such side at most, so no flip hinders another.
 void restore_pattern(Triangulation& mesh, const std::vector<std::optional<Key>>& keys, Pattern pattern)
@@ -100,7 +108,7 @@ void restore_pattern(Triangulation& mesh, const std::vector<std::optional<Key>>&
 SurfaceMesh turned_grid(const Rectangle& rectangle, const TurnedGrid& grid)
 {
   const Lattice lattice = lattice_of(grid);
-  const Division division = division_of(grid);
+  const Division division = division_of(rectangle, grid);
   std::vector<Vec2> points = divided_sides(rectangle, division);
   std::vector<std::optional<Key>> keys;
   for (const Vec2& p : points) keys.push_back(key_at(p, lattice));
@@ -118,7 +126,7 @@ SurfaceMesh turned_grid(const Rectangle& rectangle, const TurnedGrid& grid)
 
 std::int64_t count_turned_grid(const Rectangle& rectangle, const TurnedGrid& grid)
 {
-  return count_triangles(lattice_of(grid), rectangle, division_of(grid));
+  return count_triangles(lattice_of(grid), rectangle, division_of(rectangle, grid));
 }
 
 TurnedGrid turned_grid_for_elements(const Rectangle& rectangle, double wanted, double estimate, double angle,

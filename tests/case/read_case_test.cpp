@@ -50,7 +50,7 @@ TEST_F(ReadCase, DefaultsOfWhatIsNotGiven)
   EXPECT_EQ(c.material.curve_rate_max, 20.0);
   EXPECT_EQ(c.material.curve_count, 20);
   EXPECT_EQ(c.material.elastic_rate, 10.0);
-  EXPECT_EQ(c.time.safety, 0.9);
+  EXPECT_EQ(c.time.safety, 1.0);
   EXPECT_EQ(c.time.mass_scaling, 1.0);
   EXPECT_FALSE(c.time.step);
   EXPECT_EQ(c.time.mass_damping, 0.0);
@@ -58,7 +58,7 @@ TEST_F(ReadCase, DefaultsOfWhatIsNotGiven)
   EXPECT_EQ(c.contact.damping, 0.1);
   EXPECT_EQ(c.contact.stick, 1.0);
   EXPECT_EQ(c.gates.energy_error, 0.02);
-  EXPECT_EQ(c.gates.kinetic_to_internal, 0.5);
+  EXPECT_EQ(c.gates.kinetic_to_internal, 5.0);
   EXPECT_EQ(c.gates.penetration, 0.0002);
   EXPECT_EQ(c.gates.yarn_strain, 0.05);
   EXPECT_EQ(c.output.history, 200);

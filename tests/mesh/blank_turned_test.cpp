@@ -50,6 +50,26 @@ double distance_inside(const Vec3& p, const Rectangle& r)
 
 } // namespace
 
+/// A bias-extension specimen whose corners are points of the grid: every element is half or a quarter of a
+/// cell, at the sides too.
+TEST(TurnedGrid, MeetsTheSidesWhenTheyAreDiagonalsOfItsCells)
+{
+  for (const Pattern pattern : grids) {
+    for (const int diagonals : {6, 7, 8}) {
+      const double edge = 0.1 / (diagonals * std::numbers::sqrt2);
+      const Rectangle part{{-0.05, -0.1}, {0.05, 0.1}};
+      if (pattern == Pattern::diagonal && diagonals % 2 != 0) continue; // corners in the middle of cells
+      const SurfaceMesh mesh = turned_grid(part, {edge, 45.0 * degree, pattern});
+      expect_fills_rectangle(mesh, part.low, part.high);
+      for (const Triangle& t : mesh.triangles) {
+        const Vec3 a = mesh.points[t[1]] - mesh.points[t[0]], b = mesh.points[t[2]] - mesh.points[t[0]];
+        const double area = 0.5 * (a.x * b.y - a.y * b.x) / (edge * edge);
+        EXPECT_NEAR(area, pattern == Pattern::cross ? 0.25 : 0.5, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(TurnedGrid, FillsTheRectangleWithThePatternInside)
 {
   const double edge = 0.0137;
