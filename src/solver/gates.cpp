@@ -36,6 +36,13 @@ void check_motion(const Model& model, const System& s)
 {
   const double density = model.element_mass.front() / model.membrane.area.front(); // per area
   const double wave_speed = std::sqrt(model.membrane.yarn.stiffness / density);
+  for (std::size_t i = 0; i < s.tools.size(); ++i)
+    if (!(std::abs(s.tools[i].velocity) < wave_speed)) // it could pass through the sheet between two steps
+      stop(
+          ExitCode::stability_gate, s,
+          fmt::format("tool '{}' moves at {:.3g} m/s, faster than waves in the yarns ({:.3g} m/s): check its "
+                      "motion or force",
+                      model.tools[i].name, std::abs(s.tools[i].velocity), wave_speed));
   if (s.fastest < wave_speed) return;
   int node = 0;
   for (std::size_t n = 0; n < s.sheet.velocity.size(); ++n) {

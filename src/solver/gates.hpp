@@ -6,7 +6,8 @@
 
 namespace towform {
 
-/// Every step: stops (RunStopped) when a node's speed is not finite or passes the yarns' wave speed.
+/// Every step: stops (RunStopped) when the speed of a node or tool is not finite or passes the yarns' wave
+/// speed.
 void check_motion(const Model& model, const System& s);
 
 /// Every output interval: stops when a limit of the case is passed, naming what and where.

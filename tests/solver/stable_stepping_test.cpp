@@ -1,0 +1,91 @@
+#include "solver/bare_sheet.hpp"
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace towform {
+namespace {
+
+/// Largest energy over the first during 2000 steps of `factor` times the stable step; infinite once it has
+/// run away.
+double growth(const Case& c, double factor)
+{
+  const Model model = build_model(c);
+  const double dt =
+      factor * StepBound(model.membrane, model.element_mass, model.shear_modulus).at(start(model).sheet).step;
+  System s = start(model);
+  test::shake(s, 0.1);
+  test::step_on(model, s, dt, 1);
+  const double first = test::moving_energy(model, s);
+  double most = first;
+  for (int i = 0; i < 100; ++i) {
+    test::step_on(model, s, dt, 20);
+    const double now = test::moving_energy(model, s);
+    if (!(now < 1e6 * first)) return HUGE_VAL;
+    most = std::max(most, now);
+  }
+  return most / first;
+}
+
+TEST(StableStepping, HoldsJustBelowTheBoundAndBreaksWellAboveIt)
+{
+  for (const Pattern pattern : {Pattern::diagonal, Pattern::cross, Pattern::unstructured})
+    for (const double angle : {0.0, 30.0}) {
+      Case c = test::bare_sheet();
+      c.blank.pattern = pattern;
+      c.blank.fibre_angle = angle * M_PI / 180.0;
+      // Near the limit v_(n-1/2).v_(n+1/2) is a small difference, so the account breathes; it must not grow.
+      EXPECT_LT(growth(c, 0.99), 1.05) << static_cast<int>(pattern) << ", " << angle << " degrees";
+      EXPECT_EQ(growth(c, 2.0), HUGE_VAL) << static_cast<int>(pattern) << ", " << angle << " degrees";
+    }
+}
+
+TEST(StableStepping, UniformMassScalingIsReportedAndLengthensTheStep)
+{
+  Case c = test::bare_sheet();
+  const Model own = build_model(c);
+  c.time.mass_scaling = 4.0;
+  const Model heavy = build_model(c);
+  EXPECT_NEAR(own.added_mass_fraction, 0.0, 1e-14); // a sum of many areas
+  EXPECT_NEAR(heavy.added_mass_fraction, 3.0, 1e-12);
+  EXPECT_NEAR(heavy.first_step, 2.0 * own.first_step, 1e-12 * own.first_step);
+  const double mass = std::accumulate(own.mass.begin(), own.mass.end(), 0.0);
+  EXPECT_NEAR(mass, 1480.0 * 1e-3 * 0.1 * 0.08, 1e-14);
+  EXPECT_NEAR(std::accumulate(heavy.mass.begin(), heavy.mass.end(), 0.0), 4.0 * mass, 1e-13);
+}
+
+TEST(StableStepping, SelectiveMassScalingReachesTheWantedStep)
+{
+  Case c = test::bare_sheet();
+  c.blank.pattern = Pattern::unstructured;
+  c.material.yarn_damping = 0.05;
+  const double own = build_model(c).first_step;
+  double last = 0.0;
+  for (const double factor : {0.5, 1.02, 1.3, 2.0}) {
+    c.time.step = factor * own;
+    const Model model = build_model(c);
+    if (factor < 1.0) {
+      EXPECT_NEAR(model.added_mass_fraction, 0.0, 1e-14);
+      EXPECT_EQ(model.first_step, own); // nobody needs more mass, and the step is not cut
+      continue;
+    }
+    EXPECT_GE(model.first_step, *c.time.step);
+    EXPECT_LT(model.first_step, 1.01 * *c.time.step);
+    // Only those that need it: less than heavier elements everywhere would take.
+    EXPECT_GT(model.added_mass_fraction, last);
+    EXPECT_LT(model.added_mass_fraction, factor * factor - 1.0);
+    last = model.added_mass_fraction;
+  }
+}
+
+TEST(StableStepping, SelectiveMassScalingStaysStable)
+{
+  Case c = test::bare_sheet();
+  c.blank.pattern = Pattern::unstructured;
+  c.time.step = 1.5 * build_model(c).first_step;
+  EXPECT_LT(growth(c, 0.99), 1.05);
+}
+
+} // namespace
+} // namespace towform
