@@ -1,5 +1,6 @@
 #include "parallel/parallel.hpp"
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -86,7 +87,15 @@ private:
   std::vector<std::thread> helpers_;
 };
 
-int all_cores() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+/// OMP_NUM_THREADS, where a queue or a user has set it, else the machine's cores.
+int all_cores()
+{
+  if (const char* wanted =
+          std::getenv("OMP_NUM_THREADS")) // NOLINT(concurrency-mt-unsafe): read once, at the start
+    if (const int count = std::atoi(wanted); count > 0)
+      return count; // NOLINT(bugprone-unchecked-string-to-number-conversion)
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 std::unique_ptr<Team>& team()
 {

@@ -5,8 +5,8 @@
 
 namespace towform {
 
-/// Sets how many threads the loops below use from now on; 0 for as many as the machine has. Not from inside a
-/// loop.
+/// Sets how many threads the loops below use from now on; 0 for as many as OMP_NUM_THREADS says or, without
+/// it, as the machine has. Not from inside a loop.
 void set_threads(int count);
 [[nodiscard]] int threads();
 
