@@ -1,3 +1,4 @@
+#include "material_command.hpp"
 #include "mesh_command.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
@@ -76,6 +77,7 @@ int main(int argc, char** argv)
   add_run(app, code);
   add_check(app);
   add_mesh_command(app);
+  add_material_command(app);
   add_info(app);
   try {
     app.parse(argc, argv);

@@ -97,6 +97,10 @@ struct Case {
 /// the case's folder, the current folder and towform's own data. Throws InputError with every issue found.
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
+/// Reads a case's [material] and its blank's thickness and nothing else: what a prediction of the sheet's
+/// shear resistance needs. The rest of the case may be missing. Throws InputError with every issue found.
+Case read_material(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
 /// The case with every value written out, defaults too, as a TOML text that reads back to the same case.
 std::string resolved_case(const Case& c);
 

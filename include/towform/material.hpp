@@ -2,6 +2,7 @@
 #include "towform/energy_model.hpp"
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace towform {
 
@@ -15,8 +16,12 @@ enum class CurveSelection { next_higher, interpolate };
 struct MaterialParameters {
   std::string card;                ///< name of a card that towform brings, path of any other; empty without
   std::filesystem::path card_file; ///< where it was found
-  Constituents constituents;
-  double temperature = 0.0; ///< of the sheet [K]
+  std::string source;              ///< where the values come from; shown with every prediction
+  std::filesystem::path curves;    ///< shear curves in place of the energy model; empty without
+  /// An elastic sheet's own tangent in place of the model: G12 = sum c_k gamma^k [Pa], gamma in rad.
+  std::vector<double> shear_tangent;
+  Constituents constituents; ///< with curves or shear_tangent only its density is used
+  double temperature = 0.0;  ///< of the sheet [K]
   LawKind law = LawKind::viscous;
   CurveSelection curve_selection = CurveSelection::next_higher;
   double velocity_scale = 1.0;     ///< multiplies the rate where a curve is chosen, nowhere else
@@ -28,6 +33,9 @@ struct MaterialParameters {
   double compression_factor = 0.0; ///< yarn stiffness in compression over that in tension
   double yarn_damping = 0.0;       ///< fraction of critical, in the yarn direction
   double relaxation_ratio = 0.0;   ///< Maxwell modulus G over yarn stiffness E h (viscous law)
+
+  /// Whether the shear force is predicted from the constituents.
+  [[nodiscard]] bool has_model() const { return curves.empty() && shear_tangent.empty(); }
 };
 
 } // namespace towform

@@ -57,6 +57,18 @@ public:
     }
   }
 
+  /// [material] and the blank's thickness: all that a prediction needs.
+  void read_material()
+  {
+    read_card();
+    read_section("material");
+    const Value* thickness = find_path(&document_, "blank.thickness");
+    Target target{c_};
+    if (thickness == nullptr) return missing(row_of("blank.thickness"), target, "blank");
+    c_.locations["blank.thickness"] = thickness->where;
+    set_key(row_of("blank.thickness"), *thickness, target, issues_);
+  }
+
 private:
   void read_section(const std::string& section)
   {
@@ -72,6 +84,7 @@ private:
     if (table != nullptr && !section.empty()) c_.locations[section] = table->where;
     Target target{c_};
     read_keys(section, table == nullptr ? nothing : *table, target, section);
+    if (section == "material" && !c_.material.curves.empty()) read_curves_name();
   }
 
   Target target_of(ToolParameters& tool) { return {c_, &tool}; }
@@ -118,6 +131,8 @@ private:
         if (idle)
           issue(value->key_where,
                 fmt::format("{} has no effect without {}", label(row, target), row_of(row.only_with).name()));
+      } else if (!row.counts(c_)) {
+        continue;
       } else if (row.default_text == required) {
         missing(row, target, at);
       } else if (row.default_text != optional && !idle) {
@@ -170,6 +185,20 @@ private:
     if (const Value* nested = card_.find("card")) issue(nested->key_where, "a card cannot name another card");
   }
 
+  void read_curves_name()
+  {
+    std::filesystem::path& curves = c_.material.curves;
+    const SourceLocation where = c_.where("material.curves");
+    FoundFile found = find_mesh(curves.string(), c_.path);
+    if (!found.problem.empty() && where.file == c_.material.card_file.string())
+      found = find_mesh(curves.string(), c_.material.card_file);
+    if (found.problem.empty())
+      curves = found.path;
+    else
+      issue(where, fmt::format("material.curves: {} {}", in_quotes(curves.string()), found.problem),
+            ExitCode::files);
+  }
+
   void read_mesh(ToolParameters& tool, const std::string& at)
   {
     const std::string key = at + ".mesh";
@@ -201,6 +230,12 @@ void read_keys_of(const Value& document, Case& c, std::vector<InputIssue>& issue
 {
   find_unknown_keys(document, "", issues);
   Reader(c, document, issues).read();
+}
+
+void read_material_keys_of(const Value& document, Case& c, std::vector<InputIssue>& issues)
+{
+  find_unknown_keys(document, "", issues);
+  Reader(c, document, issues).read_material();
 }
 
 } // namespace towform

@@ -8,4 +8,7 @@ namespace towform {
 /// meshes. Each key by itself: what keys say together is for check_case().
 void read_keys_of(const Value& document, Case& c, std::vector<InputIssue>& issues);
 
+/// The keys of [material] and blank.thickness alone; every other key may be missing, none may be unknown.
+void read_material_keys_of(const Value& document, Case& c, std::vector<InputIssue>& issues);
+
 } // namespace towform

@@ -40,6 +40,13 @@ struct Checker {
   void material() const
   {
     const MaterialParameters& m = c.material;
+    if (!m.curves.empty() && !m.shear_tangent.empty())
+      issue("material.curves", "material has both curves and shear_tangent; give one");
+    if (!m.shear_tangent.empty() && m.law != LawKind::elastic)
+      issue("material.law", fmt::format("law \"{}\" follows the rate, of which shear_tangent knows nothing; "
+                                        "a sheet with shear_tangent needs law = \"elastic\"",
+                                        m.law == LawKind::viscous ? "viscous" : "incremental"));
+    if (!m.has_model()) return;
     if (m.curve_rate_min > 0.0 && m.curve_rate_max > 0.0 && m.curve_rate_max <= m.curve_rate_min) {
       const std::string key =
           given("material.curve_rate_max") ? "material.curve_rate_max" : "material.curve_rate_min";

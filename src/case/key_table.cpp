@@ -35,10 +35,27 @@ Words words(F at, std::vector<std::string> names)
           [at](Target& t, int place) { at(t) = static_cast<E>(place); }};
 }
 
-/// A word that says the only thing there is to say, so far.
-Words only_word(const std::string& name)
+// When a material's key counts: which model of the sheet and of its matrix was chosen before it.
+bool model(const MaterialParameters& m) { return m.has_model(); }
+bool formula(const MaterialParameters& m)
 {
-  return {{name}, [](Target&) { return 0; }, [](Target&, int) {}};
+  return m.has_model() && m.constituents.matrix.model != MatrixModel::table;
+}
+bool table(const MaterialParameters& m)
+{
+  return m.has_model() && m.constituents.matrix.model == MatrixModel::table;
+}
+bool yasuda(const MaterialParameters& m)
+{
+  return m.has_model() && m.constituents.matrix.model == MatrixModel::carreau_yasuda;
+}
+bool arrhenius(const MaterialParameters& m)
+{
+  return m.has_model() && m.constituents.matrix.shift == TemperatureShift::arrhenius;
+}
+bool wlf(const MaterialParameters& m)
+{
+  return m.has_model() && m.constituents.matrix.shift == TemperatureShift::wlf;
 }
 
 /// Words that mean something for grips only.
@@ -75,33 +92,42 @@ std::vector<Row> all_rows()
     {"blank.symmetry", words(AT(c.blank.symmetry), {"none", "x", "y", "quarter"}), D::none, "none", "", "x models the half x >= 0, y the half y >= 0, quarter both"},
 
     {"material.card", AT(c.material.card), D::none, optional, "", "gives the keys of this table that the case does not: a name in a folder cards, or a path ending in .toml"},
+    {"material.source", AT(c.material.source), D::none, optional, "", "where the values come from; shown with every prediction"},
+    {"material.curves", AT(c.material.curves), D::none, optional, "", "file of shear curves that takes the place of the model of the constituents, looked for as a tool's mesh is (named in a card, also beside it)"},
+    {"material.shear_tangent", AT(c.material.shear_tangent), D::pressure, optional, "", "[c0, c1, …]: tangent shear modulus c0 + c1 g + c2 g^2 + … over the shear angle g in rad, times the thickness, in place of the model; negative counts as 0; law elastic only"},
     {"material.law", words(AT(c.material.law), {"viscous", "incremental", "elastic"}), D::none, "viscous", "", "how the shear force follows the angle and its rate"},
     {"material.curve_selection", words(AT(c.material.curve_selection), {"next_higher", "interpolate"}), D::none, "next_higher", "", "which curve the incremental law follows"},
     {"material.velocity_scale", AT(c.material.velocity_scale), D::none, "1", "> 0", "factor on the rate where a curve is chosen, nowhere else"},
     {"material.temperature", AT(c.material.temperature), D::temperature, required, "200 K .. 1000 K", "of the sheet"},
-    {"material.curve_rate_min", AT(c.material.curve_rate_min), D::angular_rate, "1 rad/s", "> 0", "rate of the first curve"},
-    {"material.curve_rate_max", AT(c.material.curve_rate_max), D::angular_rate, "20 rad/s", "> 0", "rate of the last curve"},
-    {"material.curve_count", AT(c.material.curve_count), D::none, "20", "1 .. 1000", "curves, in equal increments of rate"},
+    {"material.curve_rate_min", AT(c.material.curve_rate_min), D::angular_rate, "1 rad/s", "> 0", "rate of the first curve", "", false, model},
+    {"material.curve_rate_max", AT(c.material.curve_rate_max), D::angular_rate, "20 rad/s", "> 0", "rate of the last curve", "", false, model},
+    {"material.curve_count", AT(c.material.curve_count), D::none, "20", "1 .. 1000", "curves, in equal increments of rate", "", false, model},
     {"material.elastic_rate", AT(c.material.elastic_rate), D::angular_rate, "10 rad/s", "> 0", "rate of the curve that the elastic law follows"},
     {"material.fibre_modulus", AT(c.material.fibre_modulus), D::pressure, required, "> 0", "of one yarn direction, over the whole thickness"},
     {"material.compression_factor", AT(c.material.compression_factor), D::none, "0.1", "0 .. 1", "yarn stiffness in compression over that in tension"},
     {"material.yarn_damping", AT(c.material.yarn_damping), D::none, "0.05", "0 .. 1", "along the yarns, fraction of critical"},
     {"material.relaxation_ratio", AT(c.material.relaxation_ratio), D::none, "0.1", "1e-4 .. 1", "shear modulus of the viscous law over the yarn stiffness"},
-    {"material.fibre_volume_fraction", AT(c.material.constituents.fibre_volume_fraction), D::none, required, "> 0, <= 0.9", "of the composite"},
-    {"material.tow_width", AT(c.material.constituents.tow_width), D::length, required, "> 0", "of a tow"},
-    {"material.tow_gap", AT(c.material.constituents.tow_gap), D::length, required, ">= 0", "between neighbouring tows"},
-    {"material.fibre_diameter", AT(c.material.constituents.fibre_diameter), D::length, required, "> 0", "of one filament"},
-    {"material.weave_factor", AT(c.material.constituents.weave_factor), D::none, "1", "> 0", "on the matrix between the tows"},
+    {"material.fibre_volume_fraction", AT(c.material.constituents.fibre_volume_fraction), D::none, required, "> 0, <= 0.9", "of the composite", "", false, model},
+    {"material.tow_width", AT(c.material.constituents.tow_width), D::length, required, "> 0", "of a tow", "", false, model},
+    {"material.tow_gap", AT(c.material.constituents.tow_gap), D::length, required, ">= 0", "between neighbouring tows", "", false, model},
+    {"material.fibre_diameter", AT(c.material.constituents.fibre_diameter), D::length, required, "> 0", "of one filament", "", false, model},
+    {"material.weave_factor", AT(c.material.constituents.weave_factor), D::none, "1", "> 0", "q of the weave, on the matrix between the tows", "", false, model},
     {"material.density", AT(c.material.constituents.density), D::density, required, "> 0", "of the composite"},
-    {"material.tow_viscosity", words(AT(c.material.constituents.tow_viscosity), {"hexagonal_cell", "coffin"}), D::none, "hexagonal_cell", "", "model of a tow's viscosities"},
-    {"material.fibre_packing", words(AT(c.material.constituents.fibre_packing), {"hexagonal", "square"}), D::none, "hexagonal", "", "of the fibres in a tow"},
-    {"material.crossover_field", words(AT(c.material.constituents.crossover_field), {"derived", "printed"}), D::none, "derived", "", "velocity field between crossing tows"},
-    {"material.matrix.model", only_word("cross"), D::none, "cross", "", "viscosity against shear rate"},
-    {"material.matrix.zero_shear_viscosity", AT(c.material.constituents.matrix.zero_shear_viscosity), D::viscosity, required, "> 0", "at the reference temperature"},
-    {"material.matrix.time_constant", AT(c.material.constituents.matrix.time_constant), D::time, required, ">= 0", "at the reference temperature"},
-    {"material.matrix.exponent", AT(c.material.constituents.matrix.exponent), D::none, required, "> 0, <= 1", "1 does not thin"},
-    {"material.matrix.reference_temperature", AT(c.material.constituents.matrix.reference_temperature), D::temperature, required, "200 K .. 1000 K", "of the two values above"},
-    {"material.matrix.activation_energy", AT(c.material.constituents.matrix.activation_energy), D::molar_energy, required, ">= 0", "Arrhenius shift with temperature"},
+    {"material.tow_viscosity", words(AT(c.material.constituents.tow_viscosity), {"hexagonal_cell", "coffin"}), D::none, "hexagonal_cell", "", "model of a tow's viscosities", "", false, model},
+    {"material.fibre_packing", words(AT(c.material.constituents.fibre_packing), {"hexagonal", "square"}), D::none, "hexagonal", "", "of the fibres in a tow", "", false, model},
+    {"material.crossover_field", words(AT(c.material.constituents.crossover_field), {"derived", "printed"}), D::none, "derived", "", "velocity field between crossing tows", "", false, model},
+    {"material.tow_kinematics", words(AT(c.material.constituents.tow_kinematics), {"measured", "minimum_power"}), D::none, "measured", "", "how fast the tows shear: as measured on a 2x2 twill, or with the least power", "", false, model},
+    {"material.matrix.model", words(AT(c.material.constituents.matrix.model), {"cross", "carreau_yasuda", "power_law", "table"}), D::none, "cross", "", "viscosity against shear rate", "", false, model},
+    {"material.matrix.shift", words(AT(c.material.constituents.matrix.shift), {"arrhenius", "wlf"}), D::none, "arrhenius", "", "of the viscosity with temperature", "", false, model},
+    {"material.matrix.zero_shear_viscosity", AT(c.material.constituents.matrix.zero_shear_viscosity), D::viscosity, required, "> 0", "at the reference temperature", "", false, formula},
+    {"material.matrix.time_constant", AT(c.material.constituents.matrix.time_constant), D::time, required, ">= 0", "at the reference temperature; a power law holds above the rate 1/time_constant, below it the viscosity is constant", "", false, formula},
+    {"material.matrix.exponent", AT(c.material.constituents.matrix.exponent), D::none, required, "> 0, <= 1", "1 does not thin", "", false, formula},
+    {"material.matrix.transition", AT(c.material.constituents.matrix.transition), D::none, "2", "> 0", "Yasuda's exponent a; 2 is Carreau's model", "", false, yasuda},
+    {"material.matrix.table", AT(c.material.constituents.matrix.points), D::viscosity, required, "> 0", "[[shear rate in 1/s, viscosity], …] at the reference temperature, rates rising; log-log between them, constant below, power law above", "", false, table},
+    {"material.matrix.reference_temperature", AT(c.material.constituents.matrix.reference_temperature), D::temperature, required, "200 K .. 1000 K", "of the viscosities and the time constant", "", false, model},
+    {"material.matrix.activation_energy", AT(c.material.constituents.matrix.activation_energy), D::molar_energy, required, ">= 0", "Arrhenius shift with temperature", "", false, arrhenius},
+    {"material.matrix.wlf_c1", AT(c.material.constituents.matrix.wlf_c1), D::none, required, ">= 0", "C1 of the WLF shift (of the decimal logarithm)", "", false, wlf},
+    {"material.matrix.wlf_c2", AT(c.material.constituents.matrix.wlf_c2), D::none, required, "> 0", "C2 of the WLF shift, in K", "", false, wlf},
 
     {"tool.name", AT(tool->name), D::none, required, "", "letters, digits, _ and -; names the tool in results"},
     {"tool.mesh", AT(tool->mesh), D::none, required, "", "STL file, looked for beside the case, in the current folder and in towform's data"},

@@ -17,7 +17,9 @@ std::string get_key(const Row& row, Target& target)
           [&](At<std::string> at) {
             return at(target).empty() && row.default_text == optional ? "" : in_quotes(at(target));
           },
-          [&](At<std::filesystem::path> at) { return in_quotes(at(target).string()); },
+          [&](At<std::filesystem::path> at) {
+            return at(target).empty() && row.default_text == optional ? "" : in_quotes(at(target).string());
+          },
           [&](At<Vec2> at) { return fmt::format("[{}, {}]", number(at(target).x), number(at(target).y)); },
           [&](At<Vec3> at) {
             const Vec3 v = at(target);
@@ -44,6 +46,18 @@ std::string get_key(const Row& row, Target& target)
             }
             return fmt::format("[{}]", fmt::join(points, ", "));
           },
+          [&](At<std::vector<double>> at) -> std::string {
+            std::vector<std::string> numbers;
+            for (const double value : at(target)) numbers.push_back(number(value));
+            return numbers.empty() ? "" : fmt::format("[{}]", fmt::join(numbers, ", "));
+          },
+          [&](At<std::vector<ViscosityPoint>> at) -> std::string {
+            std::vector<std::string> points;
+            for (const ViscosityPoint& p : at(target))
+              points.push_back(
+                  fmt::format("[{}, {}]", written(p.rate, Dimension::frequency), number(p.viscosity)));
+            return points.empty() ? "" : fmt::format("[{}]", fmt::join(points, ", "));
+          },
       },
       row.binding);
 }
@@ -63,6 +77,8 @@ std::string type_of(const Row& row)
                         [](const Words& words) { return fmt::format("{}", fmt::join(words.names, ", ")); },
                         [&](const MotionAmount&) { return std::string(name); },
                         [](const MotionTable&) { return std::string("table"); },
+                        [&](At<std::vector<double>>) { return "list of " + name + "s"; },
+                        [](At<std::vector<ViscosityPoint>>) { return std::string("table"); },
                     },
                     row.binding);
 }

@@ -24,6 +24,30 @@ std::vector<InputIssue> sorted_by_place(const std::vector<InputIssue>& issues, c
   return sorted;
 }
 
+/// What reading a case or its material have in common: `read_keys` writes the document's keys to the case.
+template <class ReadKeys>
+Case read(const std::filesystem::path& path, const std::vector<std::string>& overrides, ReadKeys read_keys)
+{
+  Case c;
+  c.path = path;
+  c.text = read_text(path, "case file");
+  Value document = parse_document(c.text, path.string());
+  std::vector<InputIssue> issues;
+  for (const std::string& text : overrides) apply_override(document, text, issues);
+  read_keys(document, c, issues);
+  for (ToolParameters& tool : c.tools) {
+    if (tool.motion) tool.motion->duration = c.time.end;
+  }
+  for (BoundaryParameters& boundary : c.boundaries) {
+    if (boundary.motion) boundary.motion->duration = c.time.end;
+  }
+  check_case(c, issues);
+  if (!issues.empty()) throw InputError(sorted_by_place(issues, path.string()));
+  if (!c.material.card.empty() && !is_own_card(c.material.card_file))
+    c.material.card = c.material.card_file.string();
+  return c;
+}
+
 } // namespace
 
 SourceLocation Case::where(const std::string& key) const
@@ -36,24 +60,12 @@ SourceLocation Case::where(const std::string& key) const
 
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides)
 {
-  Case c;
-  c.path = path;
-  c.text = read_text(path, "case file");
-  Value document = parse_document(c.text, path.string());
-  std::vector<InputIssue> issues;
-  for (const std::string& text : overrides) apply_override(document, text, issues);
-  read_keys_of(document, c, issues);
-  for (ToolParameters& tool : c.tools) {
-    if (tool.motion) tool.motion->duration = c.time.end;
-  }
-  for (BoundaryParameters& boundary : c.boundaries) {
-    if (boundary.motion) boundary.motion->duration = c.time.end;
-  }
-  check_case(c, issues);
-  if (!issues.empty()) throw InputError(sorted_by_place(issues, path.string()));
-  if (!c.material.card.empty() && !is_own_card(c.material.card_file))
-    c.material.card = c.material.card_file.string();
-  return c;
+  return read(path, overrides, read_keys_of);
+}
+
+Case read_material(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+{
+  return read(path, overrides, read_material_keys_of);
 }
 
 } // namespace towform

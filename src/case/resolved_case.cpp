@@ -13,6 +13,7 @@ std::string keys_of(const std::string& section, Target target)
     if (row.section() != section) continue;
     if (is_motion_key(row) && !target.motion()) continue;
     if (!row.only_with.empty() && get_key(row_of(row.only_with), target).empty()) continue;
+    if (!row.counts(target.c)) continue;
     const std::string value = get_key(row, target);
     const std::string key = section.empty() ? row.path : row.path.substr(section.size() + 1);
     if (!value.empty()) text += fmt::format("{} = {}\n", key, value);

@@ -154,6 +154,42 @@ struct Reading {
     return found;
   }
 
+  [[nodiscard]] std::vector<double> real_list(const Value& value) const
+  {
+    std::vector<double> numbers;
+    if (value.kind != Kind::list || value.items.empty()) {
+      must_be(value, fmt::format("a list, such as [{}]", example(row.dimension)));
+      return numbers;
+    }
+    for (const Value& item : value.items)
+      if (const auto number = real(item, row.dimension)) numbers.push_back(*number);
+    return numbers;
+  }
+
+  [[nodiscard]] std::vector<ViscosityPoint> viscosity_points(const Value& table) const
+  {
+    std::vector<ViscosityPoint> points;
+    if (table.kind != Kind::list || table.items.size() < 2) {
+      must_be(table, "two or more points, such as [[0.1, \"300 Pa s\"], [10, \"200 Pa s\"]]");
+      return points;
+    }
+    for (const Value& item : table.items) {
+      if (item.kind != Kind::list || item.items.size() != 2) {
+        must_be(item, "a point [shear rate, viscosity]");
+        continue;
+      }
+      const auto rate = real(item.items[0], Dimension::frequency);
+      const auto viscosity = real(item.items[1], Dimension::viscosity);
+      if (!rate || !viscosity) continue;
+      if (!points.empty() && *rate <= points.back().rate)
+        wrong(item.items[0], "must be a higher rate than the point before it");
+      else if (!points.empty() && *rate * *viscosity < points.back().rate * points.back().viscosity)
+        wrong(item.items[1], "makes the stress, rate times viscosity, fall with the rate");
+      points.push_back({*rate, *viscosity});
+    }
+    return points;
+  }
+
   void motion_table(const Value& table) const
   {
     if (table.kind != Kind::list || table.items.size() < 2)
@@ -206,6 +242,8 @@ void set_key(const Row& row, const Value& value, Target& target, std::vector<Inp
                    put(target.motion()->amount, reading.real(value, row.dimension));
                  },
                  [&](const MotionTable&) { reading.motion_table(value); },
+                 [&](At<std::vector<double>> at) { at(target) = reading.real_list(value); },
+                 [&](At<std::vector<ViscosityPoint>> at) { at(target) = reading.viscosity_points(value); },
              },
              row.binding);
 }

@@ -145,7 +145,13 @@ struct FabricMaterial {
   std::shared_ptr<const ShearCurves> curves; ///< of the case's rates: what the indicator counts
 };
 
-/// Tabulates the energy model once and builds the law. Throws std::domain_error (constituents out of range).
+/// Up to where curves are fitted to a model: beyond this the surface rises like 1/cos^3 and a polynomial of
+/// order 11 no longer follows it well.
+inline constexpr double curve_max_angle = 75.0 * 3.14159265358979323846 / 180.0;
+
+/// Tabulates the shear force once - the energy model's, or that of the curves or tangent that replace it
+/// (material/shear_surface.hpp) - and builds the law. Throws std::domain_error (constituents out of range, a
+/// law that shear_tangent cannot serve) and InputError (curve file).
 FabricMaterial make_fabric_material(const MaterialParameters& material, double thickness);
 
 } // namespace towform

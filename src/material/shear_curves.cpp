@@ -36,6 +36,39 @@ std::pair<double, double> evaluate(const ShearCurve::Coefficients& c, double u)
 }
 } // namespace
 
+namespace {
+/// Row k: the coefficients of T_k in powers.
+std::array<ShearCurve::Coefficients, ShearCurve::order + 1> chebyshev_in_powers()
+{
+  std::array<ShearCurve::Coefficients, ShearCurve::order + 1> t{};
+  t[0][0] = t[1][1] = 1.0;
+  for (int k = 2; k <= ShearCurve::order; ++k)
+    for (int i = 0; i <= k; ++i) t[k][i] = (i > 0 ? 2.0 * t[k - 1][i - 1] : 0.0) - t[k - 2][i];
+  return t;
+}
+} // namespace
+
+ShearCurve::Coefficients ShearCurve::powers() const
+{
+  Coefficients a{};
+  const auto t = chebyshev_in_powers();
+  for (int k = 0; k <= order; ++k)
+    for (int i = 0; i <= k; ++i) a[i] += c_[k] * t[k][i];
+  return a;
+}
+
+ShearCurve ShearCurve::from_powers(double rate, double max_angle, const Coefficients& powers,
+                                   double fit_error)
+{
+  Coefficients rest = powers, c{};
+  const auto t = chebyshev_in_powers();
+  for (int k = order; k >= 0; --k) { // from the highest down: T_k alone has x^k among what is left
+    c[k] = rest[k] / t[k][k];
+    for (int i = 0; i <= k; ++i) rest[i] -= c[k] * t[k][i];
+  }
+  return {rate, max_angle, c, fit_error};
+}
+
 double ShearCurve::force(double theta) const
 {
   const double u = 2.0 * std::abs(theta) / max_angle_ - 1.0;
@@ -62,26 +95,37 @@ double ShearCurves::position(double rate) const
 
 int ShearCurves::next_higher(double rate) const { return static_cast<int>(std::ceil(position(rate))); }
 
+ShearCurve fit_curve(const std::function<double(double)>& force, double rate, double max_angle)
+{
+  std::array<double, samples> model{};
+  double largest = 0.0;
+  const auto at = [](int i) { return -std::cos(M_PI * (i + 0.5) / samples); };
+  for (int i = 0; i < samples; ++i) { // Chebyshev points: no weight is lost at the ends
+    model[i] = force(0.5 * (at(i) + 1.0) * max_angle);
+    largest = std::max(largest, std::abs(model[i]));
+  }
+  if (largest == 0.0) return {rate, max_angle, {}};
+  Eigen::Matrix<double, Eigen::Dynamic, ShearCurve::order + 1> basis(samples, ShearCurve::order + 1);
+  Eigen::VectorXd wanted(samples);
+  for (int i = 0; i < samples; ++i) {
+    const double scale = std::max(std::abs(model[i]), 1e-3 * largest);
+    basis.row(i) = chebyshev(at(i)) / scale;
+    wanted[i] = model[i] / scale;
+  }
+  const Eigen::Matrix<double, ShearCurve::order + 1, 1> c_fit = basis.colPivHouseholderQr().solve(wanted);
+  ShearCurve::Coefficients coefficients{};
+  std::copy(c_fit.data(), c_fit.data() + c_fit.size(), coefficients.begin());
+  return {rate, max_angle, coefficients, (basis * c_fit - wanted).cwiseAbs().maxCoeff()};
+}
+
 ShearCurves fit_curves(const std::function<double(double, double)>& force, double rate_min, double rate_max,
                        int count, double max_angle)
 {
   ShearCurves result;
-  Eigen::Matrix<double, Eigen::Dynamic, ShearCurve::order + 1> basis(samples, ShearCurve::order + 1);
   for (int c = 0; c < count; ++c) {
     const double rate = count == 1 ? rate_min : rate_min + (rate_max - rate_min) * c / (count - 1);
-    std::array<double, samples> model{};
-    for (int i = 0; i < samples; ++i) { // Chebyshev points: no weight is lost at the ends
-      const double u = -std::cos(M_PI * (i + 0.5) / samples);
-      model[i] = force(0.5 * (u + 1.0) * max_angle, rate);
-      basis.row(i) = chebyshev(u) / model[i];
-    }
-    const Eigen::Matrix<double, ShearCurve::order + 1, 1> c_fit =
-        basis.colPivHouseholderQr().solve(Eigen::VectorXd::Ones(samples));
-    ShearCurve::Coefficients coefficients{};
-    std::copy(c_fit.data(), c_fit.data() + c_fit.size(), coefficients.begin());
-    result.curves.emplace_back(rate, max_angle, coefficients);
-    result.fit_error =
-        std::max(result.fit_error, (basis * c_fit - Eigen::VectorXd::Ones(samples)).cwiseAbs().maxCoeff());
+    result.curves.push_back(fit_curve([&](double theta) { return force(theta, rate); }, rate, max_angle));
+    result.fit_error = std::max(result.fit_error, result.curves.back().fit_error());
   }
   return result;
 }

@@ -6,26 +6,32 @@
 namespace towform {
 
 /// One curve of the energy model's output: N_s over the shear angle at one angular rate, a polynomial of
-/// order 11 (Eq. 6 ff. of the paper, section 4), kept in Chebyshev form on [0, max_angle], where the fit is
+/// order 11 (section 4 of the paper), kept in Chebyshev form on [0, max_angle], where the fit is
 /// well conditioned.
 class ShearCurve {
 public:
   static constexpr int order = 11;
   using Coefficients = std::array<double, order + 1>;
 
-  ShearCurve(double rate, double max_angle, const Coefficients& chebyshev)
-      : rate_(rate), max_angle_(max_angle), c_(chebyshev)
+  ShearCurve(double rate, double max_angle, const Coefficients& chebyshev, double fit_error = 0.0)
+      : rate_(rate), max_angle_(max_angle), fit_error_(fit_error), c_(chebyshev)
   {
   }
+  /// From the coefficients a_k of sum a_k x^k, x = 2 theta/max_angle - 1 [N/m].
+  static ShearCurve from_powers(double rate, double max_angle, const Coefficients& powers, double fit_error);
 
-  [[nodiscard]] double rate() const { return rate_; } ///< [rad/s]
+  [[nodiscard]] double rate() const { return rate_; }           ///< [rad/s]
+  [[nodiscard]] double max_angle() const { return max_angle_; } ///< [rad]
+  /// Largest |curve - what it was fitted to|, over the latter.
+  [[nodiscard]] double fit_error() const { return fit_error_; }
+  [[nodiscard]] Coefficients powers() const; ///< a_k of sum a_k x^k [N/m]
   /// N_s(|theta|) [N/m]; straight on beyond max_angle.
   [[nodiscard]] double force(double theta) const;
   /// dN_s/d|theta| [N/m per rad].
   [[nodiscard]] double slope(double theta) const;
 
 private:
-  double rate_, max_angle_;
+  double rate_, max_angle_, fit_error_;
   Coefficients c_;
 };
 
@@ -41,8 +47,11 @@ struct ShearCurves {
   [[nodiscard]] int next_higher(double rate) const;
 };
 
-/// Fits `count` curves at evenly spaced rates from `rate_min` to `rate_max` by least squares of the relative
-/// error over 0 .. max_angle.
+/// Fits force(theta) [N/m] at one rate by least squares of the relative error over 0 .. max_angle; where the
+/// force is below a thousandth of its largest, errors are relative to that.
+ShearCurve fit_curve(const std::function<double(double)>& force, double rate, double max_angle);
+
+/// Fits `count` curves at evenly spaced rates from `rate_min` to `rate_max` (fit_curve).
 ShearCurves fit_curves(const std::function<double(double, double)>& force, double rate_min, double rate_max,
                        int count, double max_angle);
 

@@ -1,20 +1,31 @@
 #pragma once
 #include "towform/energy_model.hpp"
+#include <vector>
 
 namespace towform {
 
-/// The matrix at one temperature: eta0 and lambda already shifted.
-/// Cross: eta(rate) = eta0 / (1 + (lambda rate)^(1-n))   [Pa s], rate >= 0 in 1/s (physics: energy model,
-/// Matrix).
-struct IsothermalMatrix {
-  double zero_shear_viscosity; ///< [Pa s]
-  double time_constant;        ///< [s]
-  double exponent;             ///< n
+/// The matrix at one temperature: eta(rate) [Pa s], rate >= 0 in 1/s (physics: energy model, Matrix; the
+/// equations stand at MatrixModel and TemperatureShift). It is a fluid that resists more the faster it
+/// flows: eta(rate) rate never falls.
+class IsothermalMatrix {
+public:
+  /// T in K. Throws std::domain_error naming the parameter that is out of range.
+  IsothermalMatrix(const MatrixViscosity& matrix, double temperature);
 
   [[nodiscard]] double viscosity(double rate) const;
+
+private:
+  [[nodiscard]] double tabulated(double rate) const;
+
+  MatrixModel model_;
+  double zero_shear_viscosity_, time_constant_, exponent_, transition_; // eta0 and lambda shifted
+  struct LogPoint {
+    double rate, viscosity;
+  };
+  std::vector<LogPoint> points_; // natural logarithms, shifted
 };
 
-/// Arrhenius shift exp(Ea/R (1/T - 1/Tref)) of eta0 and lambda alike. T in K.
-IsothermalMatrix at_temperature(const MatrixViscosity& matrix, double temperature);
+/// a_T = eta0(T)/eta0(Tr). Throws std::domain_error when a temperature is outside the shift's range.
+double temperature_shift(const MatrixViscosity& matrix, double temperature);
 
 } // namespace towform
