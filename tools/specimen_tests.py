@@ -206,7 +206,9 @@ class Run:
         change = np.concatenate(([0], np.abs(np.diff(pace)), [0]))
         change[0] = change[1]
         self.steady = change < 1e-3 * np.abs(pace).max()
-        self.kinetic = np.interp(self.time, history["time_s"], history["kinetic_to_internal"])
+        self.kinetic = np.zeros_like(self.time)  # a quasi-static run has none
+        if "kinetic_to_internal" in history.dtype.names:
+            self.kinetic = np.interp(self.time, history["time_s"], history["kinetic_to_internal"])
         self.error = history["energy_error"][-1]
 
 
