@@ -153,7 +153,7 @@ std::vector<Row> all_rows()
     {"boundary.motion.table", MotionTable{}, D::none, optional, "", "[[time, value], …] of profile table, values with a unit of length or velocity"},
 
     {"time.end", AT(c.time.end), D::time, required, "> 0", "of the run"},
-    {"time.safety", AT(c.time.safety), D::none, "1", "> 0, <= 1", "step over the stable step"},
+    {"time.safety", AT(c.time.safety), D::none, "0.9", "> 0, <= 1", "step over the stable step"},
     {"time.mass_scaling", AT(c.time.mass_scaling), D::none, "1", "1 .. 1000000", "uniform factor on the sheet's mass"},
     {"time.step", AT(c.time.step), D::time, optional, "> 0", "wanted step: elements that need it are made heavier"},
     {"time.mass_damping", AT(c.time.mass_damping), D::frequency, "0", ">= 0", "force on a node over its mass and velocity"},
