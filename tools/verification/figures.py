@@ -10,8 +10,8 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import PolyCollection
-from matplotlib.colors import Normalize
 from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
 from plot import PALETTE, projected, shaded, sheet_image, turned_up
@@ -76,7 +76,8 @@ def figure_8(workshop):
     figure = new_figure(8.2, 5.6)
     axes = figure.add_axes([0.0, 0.02, 0.86, 0.98], projection="3d", computed_zorder=False)
     x, y = np.meshgrid(angles, rates)
-    surface = axes.plot_surface(x, y, forces, cmap="Greys", vmin=-0.3 * forces.max(), rstride=1, cstride=1, linewidth=0,
+    greys = LinearSegmentedColormap.from_list("greys", ["0.88", "0.05"])
+    surface = axes.plot_surface(x, y, forces, cmap=greys, vmin=0, rstride=1, cstride=1, linewidth=0,
                                 antialiased=False, alpha=1.0)
     for rate, coefficients in curves:
         theta = np.radians(angles)
@@ -178,7 +179,7 @@ def dome_panel(figure, place, frame, triangles, values, scale, cmap):
     view = projected(turned_up(frame.position), "iso")
     colours = shaded(cmap(scale(values))[:, :3], view, triangles)
     low, high = view[:, :2].min(axis=0), view[:, :2].max(axis=0)
-    image = sheet_image(view, triangles, colours, 0.5 * (low + high), 0.66 / pixels[0], *pixels)
+    image = sheet_image(view, triangles, colours, 0.5 * (low + high), 0.74 / pixels[0], *pixels)
     axes = figure.add_axes(place)
     axes.imshow(image, interpolation="none")
     axes.axis("off")
