@@ -230,6 +230,18 @@ class BadFiles(Program):
             write_stl(self.directory / "table.stl", turned)
             self.assert_refused(self.run_case(), FILES, rf"press\.toml:{TABLE_LINE}:\d+: .*table\.stl.*facet")
 
+    def test_a_broken_mesh_of_the_blank_is_named_with_its_line(self):
+        whole = (SOURCE / "meshes/disc.msh").read_text()
+        case = self.write("disc.toml", CASE.replace('size = ["60 mm", "60 mm"]\nelements = 72', 'mesh = "blank.msh"'))
+        broken = {"2.2": (whole.replace("4.1 0 8", "2.2 0 8"), r":2:1: .*2\.2.*4\.1"),
+                  "binary": (whole.replace("4.1 0 8", "4.1 1 8"), r":2:1: .*binary"),
+                  "cut short": (whole[:3000], r":\d+:1: .*truncated"),
+                  "lying": (whole.replace("1 2461 1 2461", "1 999999999999 1 2461"), r":10:1: claims 999999999999 nodes")}
+        for what, (content, pattern) in broken.items():
+            with self.subTest(what):
+                self.write("blank.msh", content)
+                self.assert_refused(self.run_case(case=case), FILES, r"blank\.msh" + pattern)
+
     def test_a_directory_that_cannot_be_made(self):
         self.write("results", "a file is in its place")
         done = self.run_case()
@@ -325,6 +337,18 @@ class GoodRun(Program):
         self.assertEqual((self.out / "history.csv").read_bytes(), first)
         self.assert_ends(self.run_case(), DONE)  # and without the override it is another
         self.assertNotEqual((self.out / "history.csv").read_bytes(), first)
+
+    def test_forms_a_blank_meshed_elsewhere(self):
+        stroke = ("--set", "tool.punch.motion.displacement=-10 mm", "--set", "time.end=10 ms", "--set", "output.frames=1")
+        self.assert_ends(self.run_case(*stroke, case=SOURCE / "cases/disc.toml"), DONE)
+        summary = json.loads((self.out / "summary.json").read_text())
+        self.assertEqual((summary["elements"], summary["nodes"]), (4800, 2461))
+        draw_in = summary["draw_in_mm"]
+        self.assertGreater(draw_in["corner"], 0.0)
+        with h5py.File(self.out / "results.h5", "r") as file:
+            self.assertIn("disc.msh", file.attrs["inputs"])
+            last = file["frames/0001"]
+            self.assertAlmostEqual(last["position"][:, 2].min(), -0.01, delta=0.0003)
 
     def test_goes_into_out_by_default_and_is_quiet_when_asked(self):
         done = self.towform("run", self.case, "--threads", 1, "--quiet")
