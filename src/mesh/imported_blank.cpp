@@ -1,5 +1,5 @@
 #include "mesh/imported_blank.hpp"
-#include "mesh/mesh_file.hpp"
+#include "case/file_issue.hpp"
 #include "mesh/surface_check.hpp"
 #include <algorithm>
 #include <cmath>

@@ -27,13 +27,4 @@ std::string read_mesh_file(const std::filesystem::path& path, const std::string&
   return bytes;
 }
 
-void refuse_line(const std::string& file, int line, const std::string& message)
-{
-  std::vector<InputIssue> issues(1);
-  issues[0].where = {file, line, 1};
-  issues[0].message = message;
-  issues[0].code = ExitCode::files;
-  throw InputError(std::move(issues));
-}
-
 } // namespace towform

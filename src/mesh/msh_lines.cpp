@@ -1,5 +1,5 @@
 #include "mesh/msh_lines.hpp"
-#include "mesh/mesh_file.hpp"
+#include "case/file_issue.hpp"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
