@@ -74,7 +74,7 @@ std::vector<Row> all_rows()
     {"title", AT(c.title), D::none, "\"\"", "", "shown in results and reports"},
     {"solver", words(AT(c.solver), {"explicit", "implicit"}), D::none, "explicit", "", "explicit dynamics, or quasi-static equilibrium for specimen tests"},
 
-    {"blank.mesh", AT(c.blank.mesh), D::none, optional, "", "flat blank of any outline in place of a rectangle: Gmsh file, MSH 4.1 ASCII, triangles and quadrilaterals (cut in two) in a plane z = const, looked for as a tool's mesh is"},
+    {"blank.mesh", AT(c.blank.mesh), D::none, optional, "", "flat blank of any outline in place of a rectangle: Gmsh file, MSH 4.1 ASCII, triangles and quadrilaterals (cut in two where the triangles are best) in a plane z = const, looked for as a tool's mesh is"},
     {"blank.mesh_unit", AT(c.blank.mesh_unit), D::length, "1 m", "> 0", "length of the file's unit; \"mm\" stands for \"1 mm\"", "blank.mesh", true},
     {"blank.size", AT(c.blank.size), D::length, required, "> 0", "whole blank along x and y, centred on the origin; this or mesh", "", false, rectangle},
     {"blank.elements", AT(c.blank.elements), D::none, optional, "2 .. 20000000", "wanted number of elements of the whole blank; this or edge", "", false, rectangle},

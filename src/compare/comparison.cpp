@@ -248,6 +248,11 @@ private:
     std::vector<int> outside;
     for (const ComparedPoint& point : result_.points)
       if (!point.computed) outside.push_back(point.reference.line);
+    if (!outside.empty() && !options_.mirror && (mirrors_.x || mirrors_.y) && reference_.of(Role::x))
+      result_.hint = fmt::format("the sheet ends at {}: if that is a mirror, --mirror folds points into it",
+                                 mirrors_.x && mirrors_.y ? "x = 0 and y = 0"
+                                 : mirrors_.x             ? "x = 0"
+                                                          : "y = 0");
     if (result_.compared == 0) return fail("no point of the reference is on the sheet");
     if (!outside.empty() && (options_.tolerance || options_.rms))
       fail(

@@ -41,6 +41,7 @@ struct Comparison {
   int compared = 0; ///< those on the sheet
   double mean = 0.0, rms = 0.0, largest = 0.0;
   int largest_line = 0;
+  std::string hint; ///< when points are outside a part that --mirror would have folded them into
   std::vector<std::string> failures; ///< why it is out of tolerance; empty when it is within
 };
 

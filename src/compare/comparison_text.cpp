@@ -84,6 +84,7 @@ std::string comparison_text(const Comparison& c, const ReferencePoints& referenc
     text += fmt::format("{} of {} points on the sheet: mean {:.3f}, RMS {:.3f}, max {:.3f} {} (line {})\n",
                         c.compared, c.points.size(), scale * c.mean, scale * c.rms, scale * c.largest, unit,
                         c.largest_line);
+  if (!c.hint.empty()) text += c.hint + '\n';
   for (const std::string& failure : c.failures) text += fmt::format("out of tolerance: {}\n", failure);
   if (c.failures.empty()) text += judged ? "within tolerance\n" : "no limit was given (--tolerance, --rms)\n";
   return text;

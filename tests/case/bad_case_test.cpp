@@ -246,8 +246,8 @@ TEST_F(BadCase, EmptyFileSaysWhatIsMissing)
 {
   const std::vector<InputIssue> issues = issues_of("");
   ASSERT_EQ(issues.size(), 3U);
-  EXPECT_EQ(issues[0].text(),
-            "case.toml: table [blank] is missing; it needs size, thickness, and elements or edge; or mesh and thickness");
+  EXPECT_EQ(issues[0].text(), "case.toml: table [blank] is missing; it needs size, thickness, and elements "
+                              "or edge; or mesh and thickness");
   EXPECT_EQ(issues[1].text().find("case.toml: table [material] is missing"), 0U);
   EXPECT_EQ(issues[2].text(), "case.toml: table [time] is missing; it needs end");
 }

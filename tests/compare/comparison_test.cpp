@@ -138,6 +138,9 @@ TEST(Comparison, MirrorsFoldPointsIntoTheModelledPart)
   const Comparison half = compare(test::board(6, 4, {0.0, -0.01}), p, o); // y = 0 is no mirror of it
   EXPECT_EQ(half.compared, 2);
   EXPECT_EQ(compare(test::board(6, 4), p, {}).compared, 1);
+  EXPECT_EQ(compare(test::board(6, 4), p, {}).hint,
+            "the sheet ends at x = 0 and y = 0: if that is a mirror, --mirror folds points into it");
+  EXPECT_EQ(quarter.hint, "");
   EXPECT_THROW(compare(test::board(6, 4, {-0.03, -0.02}), p, o), std::invalid_argument);
 }
 

@@ -1,6 +1,8 @@
+#include "mesh/imported_blank.hpp"
 #include "mesh/msh_files.hpp"
 #include "mesh/msh_reader.hpp"
 #include <algorithm>
+#include <random>
 
 namespace towform {
 namespace {
@@ -149,6 +151,41 @@ TEST(MshReader, RefusesAFileCutAnywhere)
     EXPECT_TRUE(said.starts_with("blank.msh:")) << said;
   }
   EXPECT_NO_THROW(parse(plate.substr(0, end)));
+}
+
+TEST(MshReader, DamageIsRefusedOrHarmless)
+{
+  // Bytes changed, lines swapped, dropped and doubled at random: nothing but a mesh or an issue may come out.
+  std::mt19937 random(11);
+  const auto below = [&](std::size_t n) {
+    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
+  };
+  const std::string bytes = "0123456789 -.+eE$\n\0nai";
+  int read = 0;
+  for (int k = 0; k < 20000; ++k) {
+    std::string text = plate;
+    for (std::size_t i = below(3) + 1; i > 0; --i) {
+      const std::size_t from = text.rfind('\n', below(text.size())) + 1, to = text.find('\n', from) + 1;
+      switch (below(3)) {
+      case 0:
+        text[below(text.size())] = bytes[below(bytes.size())];
+        break;
+      case 1:
+        text.erase(from, to - from);
+        break;
+      default:
+        text.insert(to, text.substr(from, to - from));
+      }
+    }
+    try {
+      const MshMesh mesh = parse(text);
+      triangles_of(mesh, "blank.msh");
+      ++read;
+    } catch (const InputError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("blank.msh:")) << error.what();
+    }
+  }
+  EXPECT_GT(read, 100); // comments and unused nodes bear some damage
 }
 
 TEST(MshReader, RefusesAMeshOfNothing)
