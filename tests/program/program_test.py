@@ -242,6 +242,12 @@ class BadFiles(Program):
                 self.write("blank.msh", content)
                 self.assert_refused(self.run_case(case=case), FILES, r"blank\.msh" + pattern)
 
+    def test_a_wrong_unit_of_the_blank_is_suspected(self):
+        done = self.towform("check", SOURCE / "cases/disc.toml", "--set", "blank.mesh_unit=m")
+        self.assert_ends(done, CASE_FILE)
+        self.assertIn("against a blank of 300 m: an STL file carries no unit, are its mesh_unit = 1 and "
+                      "blank.mesh_unit = 1 right?", done.stderr)
+
     def test_a_directory_that_cannot_be_made(self):
         self.write("results", "a file is in its place")
         done = self.run_case()
