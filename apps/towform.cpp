@@ -1,3 +1,4 @@
+#include "compare_command.hpp"
 #include "material_command.hpp"
 #include "mesh_command.hpp"
 #include "towform/error.hpp"
@@ -79,6 +80,7 @@ int main(int argc, char** argv)
   add_mesh_command(app);
   add_material_command(app);
   add_info(app);
+  add_compare_command(app, code);
   try {
     app.parse(argc, argv);
     return status(code);

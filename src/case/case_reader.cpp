@@ -14,7 +14,7 @@ namespace {
 /// What to say when a whole table is not there.
 std::string needs_of(const std::string& section)
 {
-  if (section == "blank") return "size, thickness, and elements or edge";
+  if (section == "blank") return "size, thickness, and elements or edge; or mesh and thickness";
   if (section == "material") return "temperature, and a card or every constituent by name";
   std::string keys;
   for (const Row& row : key_table()) {
@@ -85,6 +85,7 @@ private:
     Target target{c_};
     read_keys(section, table == nullptr ? nothing : *table, target, section);
     if (section == "material" && !c_.material.curves.empty()) read_curves_name();
+    if (section == "blank" && !c_.blank.mesh.empty()) find(c_.blank.mesh, "blank.mesh", "blank.mesh");
   }
 
   Target target_of(ToolParameters& tool) { return {c_, &tool}; }
@@ -201,15 +202,18 @@ private:
 
   void read_mesh(ToolParameters& tool, const std::string& at)
   {
-    const std::string key = at + ".mesh";
-    const FoundFile found = find_mesh(tool.mesh.string(), c_.path);
-    if (found.problem.empty()) {
-      tool.mesh = found.path;
-      return;
-    }
-    const std::string name = tool.name.empty() ? "tool.mesh" : "tool." + tool.name + ".mesh";
-    issue(c_.where(key), fmt::format("{}: {} {}", name, in_quotes(tool.mesh.string()), found.problem),
-          ExitCode::files);
+    find(tool.mesh, at + ".mesh", tool.name.empty() ? "tool.mesh" : "tool." + tool.name + ".mesh");
+  }
+
+  /// Replaces a mesh's name by the file that it means.
+  void find(std::filesystem::path& mesh, const std::string& key, const std::string& shown)
+  {
+    const FoundFile found = find_mesh(mesh.string(), c_.path);
+    if (found.problem.empty())
+      mesh = found.path;
+    else
+      issue(c_.where(key), fmt::format("{}: {} {}", shown, in_quotes(mesh.string()), found.problem),
+            ExitCode::files);
   }
 
   void issue(const SourceLocation& where, std::string message, ExitCode code = ExitCode::case_file)

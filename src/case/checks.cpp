@@ -1,5 +1,6 @@
 #include "checks.hpp"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 #include <set>
@@ -30,11 +31,60 @@ struct Checker {
   void blank() const
   {
     if (!given("blank")) return;
+    yarns();
+    if (given("blank.mesh")) return imported_blank();
     if (given("blank.elements") && given("blank.edge"))
       issue("blank.edge", "blank has both elements and edge; give one");
     if (!given("blank.elements") && !given("blank.edge")) issue("blank", "blank needs elements or edge");
     if (c.blank.element == ElementShape::quadrilateral && c.solver != SolverKind::implicit)
       issue("blank.element", "blank.element \"quadrilateral\" needs solver = \"implicit\"");
+  }
+
+  void imported_blank() const
+  {
+    if (c.blank.mesh.empty() && !unread("blank.mesh")) issue("blank.mesh", "blank.mesh must not be empty");
+    for (const char* key : {"size", "elements", "edge", "mesh_angle", "pattern", "element"})
+      if (given(fmt::format("blank.{}", key)))
+        issue(fmt::format("blank.{}", key),
+              fmt::format("blank has both mesh and {}, which says how to mesh a rectangle; give one", key));
+    if (c.solver == SolverKind::implicit)
+      issue("blank.mesh",
+            "the implicit solver meshes a rectangle itself and takes no blank.mesh; give size and "
+            "elements, or take solver = \"explicit\"");
+  }
+
+  void yarns() const
+  {
+    const std::optional<Vec3>&first = c.blank.fibre_1, &second = c.blank.fibre_2;
+    const bool has_first = given("blank.fibre_1"), has_second = given("blank.fibre_2");
+    if (!has_first && !has_second) return;
+    if (given("blank.fibre_angle"))
+      issue("blank.fibre_angle", "blank has both fibre_angle and directions of its fibres; give one");
+    if (has_first != has_second)
+      return issue(has_first ? "blank.fibre_1" : "blank.fibre_2",
+                   fmt::format("blank.fibre_{} needs blank.fibre_{}", has_first ? 1 : 2, has_first ? 2 : 1));
+    bool good = true;
+    for (const auto& [key, fibre] :
+         {std::pair{"blank.fibre_1", &first}, std::pair{"blank.fibre_2", &second}}) {
+      if (!*fibre) {
+        good = false; // already an issue
+      } else if ((*fibre)->z != 0.0) {
+        good = false;
+        issue(key, fmt::format("{} points out of the plane of the blank: its third number must be 0", key));
+      } else if (!(norm(**fibre) >= 1e-100 && norm(**fibre) <= 1e100)) {
+        good = false;
+        issue(key, fmt::format("{} has no direction: its numbers are zero or beyond reason", key));
+      }
+    }
+    if (!good) return;
+    // Yarns this close are beyond the angles that any shear force is known for.
+    constexpr double least = 5.0 * std::numbers::pi / 180.0;
+    const double sine = norm(cross(normalized(*first), normalized(*second)));
+    if (sine < std::sin(least))
+      issue("blank.fibre_2",
+            fmt::format("blank.fibre_2 is parallel to fibre_1, or nearly: {:.3g} degrees apart, 5 are "
+                        "needed",
+                        std::asin(sine) * 180.0 / std::numbers::pi));
   }
 
   void material() const
@@ -137,7 +187,9 @@ struct Checker {
     if (given(at + ".motion.axis"))
       issue(at + ".motion.axis",
             name + ".motion.axis has no effect: a picture frame opens along its diagonal");
-    if (c.blank.size.x != c.blank.size.y)
+    if (given("blank.mesh"))
+      issue("blank.mesh", name + ": a picture frame needs a square blank, made by size and elements");
+    else if (c.blank.size.x != c.blank.size.y)
       issue("blank.size", name + ": a picture frame needs a square blank");
     if (c.blank.symmetry != Symmetry::none)
       issue("blank.symmetry", name + ": a picture frame needs the whole blank, symmetry = \"none\"");

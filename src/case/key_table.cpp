@@ -35,28 +35,21 @@ Words words(F at, std::vector<std::string> names)
           [at](Target& t, int place) { at(t) = static_cast<E>(place); }};
 }
 
-// When a material's key counts: which model of the sheet and of its matrix was chosen before it.
-bool model(const MaterialParameters& m) { return m.has_model(); }
-bool formula(const MaterialParameters& m)
+// When a key counts: which blank, which model of the sheet and of its matrix was chosen before it.
+bool rectangle(const Case& c) { return c.blank.mesh.empty(); }
+bool square_yarns(const Case& c) { return !c.blank.fibre_1 && !c.blank.fibre_2; }
+bool model(const Case& c) { return c.material.has_model(); }
+bool formula(const Case& c) { return model(c) && c.material.constituents.matrix.model != MatrixModel::table; }
+bool table(const Case& c) { return model(c) && c.material.constituents.matrix.model == MatrixModel::table; }
+bool yasuda(const Case& c)
 {
-  return m.has_model() && m.constituents.matrix.model != MatrixModel::table;
+  return model(c) && c.material.constituents.matrix.model == MatrixModel::carreau_yasuda;
 }
-bool table(const MaterialParameters& m)
+bool arrhenius(const Case& c)
 {
-  return m.has_model() && m.constituents.matrix.model == MatrixModel::table;
+  return model(c) && c.material.constituents.matrix.shift == TemperatureShift::arrhenius;
 }
-bool yasuda(const MaterialParameters& m)
-{
-  return m.has_model() && m.constituents.matrix.model == MatrixModel::carreau_yasuda;
-}
-bool arrhenius(const MaterialParameters& m)
-{
-  return m.has_model() && m.constituents.matrix.shift == TemperatureShift::arrhenius;
-}
-bool wlf(const MaterialParameters& m)
-{
-  return m.has_model() && m.constituents.matrix.shift == TemperatureShift::wlf;
-}
+bool wlf(const Case& c) { return model(c) && c.material.constituents.matrix.shift == TemperatureShift::wlf; }
 
 /// Words that mean something for grips only.
 Words of_grips(Words w)
@@ -81,15 +74,19 @@ std::vector<Row> all_rows()
     {"title", AT(c.title), D::none, "\"\"", "", "shown in results and reports"},
     {"solver", words(AT(c.solver), {"explicit", "implicit"}), D::none, "explicit", "", "explicit dynamics, or quasi-static equilibrium for specimen tests"},
 
-    {"blank.size", AT(c.blank.size), D::length, required, "> 0", "whole blank along x and y, centred on the origin"},
-    {"blank.elements", AT(c.blank.elements), D::none, optional, "2 .. 20000000", "wanted number of elements of the whole blank; this or edge"},
-    {"blank.edge", AT(c.blank.edge), D::length, optional, "> 0", "wanted edge of the grid's squares; this or elements"},
-    {"blank.fibre_angle", AT(c.blank.fibre_angle), D::angle, "0 deg", "", "warp against x"},
-    {"blank.mesh_angle", AT(c.blank.mesh_angle), D::angle, "0 deg", "", "grid lines against the warp"},
-    {"blank.pattern", words(AT(c.blank.pattern), {"cross", "diagonal", "unstructured"}), D::none, "diagonal", "", "how squares become triangles; unstructured has no grid"},
-    {"blank.element", words(AT(c.blank.element), {"triangle", "quadrilateral"}), D::none, "triangle", "", "quadrilateral needs solver = \"implicit\" and keeps the grid's squares whole"},
+    {"blank.mesh", AT(c.blank.mesh), D::none, optional, "", "flat blank of any outline in place of a rectangle: Gmsh file, MSH 4.1 ASCII, triangles and quadrilaterals (cut in two where the triangles are best) in a plane z = const, looked for as a tool's mesh is"},
+    {"blank.mesh_unit", AT(c.blank.mesh_unit), D::length, "1 m", "> 0", "length of the file's unit; \"mm\" stands for \"1 mm\"", "blank.mesh", true},
+    {"blank.size", AT(c.blank.size), D::length, required, "> 0", "whole blank along x and y, centred on the origin; this or mesh", "", false, rectangle},
+    {"blank.elements", AT(c.blank.elements), D::none, optional, "2 .. 20000000", "wanted number of elements of the whole blank; this or edge", "", false, rectangle},
+    {"blank.edge", AT(c.blank.edge), D::length, optional, "> 0", "wanted edge of the grid's squares; this or elements", "", false, rectangle},
+    {"blank.fibre_1", AT(c.blank.fibre_1), D::none, optional, "", "direction of the warp in the plane of the blank, of any length; with fibre_2, in place of fibre_angle"},
+    {"blank.fibre_2", AT(c.blank.fibre_2), D::none, optional, "", "direction of the weft, not necessarily square to fibre_1; the sheet is free of force at the angle between the two, and shear is counted from there"},
+    {"blank.fibre_angle", AT(c.blank.fibre_angle), D::angle, "0 deg", "", "warp against x, weft at right angles to it", "", false, square_yarns},
+    {"blank.mesh_angle", AT(c.blank.mesh_angle), D::angle, "0 deg", "", "grid lines against the warp", "", false, rectangle},
+    {"blank.pattern", words(AT(c.blank.pattern), {"cross", "diagonal", "unstructured"}), D::none, "diagonal", "", "how squares become triangles; unstructured has no grid", "", false, rectangle},
+    {"blank.element", words(AT(c.blank.element), {"triangle", "quadrilateral"}), D::none, "triangle", "", "quadrilateral needs solver = \"implicit\" and keeps the grid's squares whole", "", false, rectangle},
     {"blank.thickness", AT(c.blank.thickness), D::length, required, "1 um .. 0.1 m", "of the whole sheet at the start"},
-    {"blank.symmetry", words(AT(c.blank.symmetry), {"none", "x", "y", "quarter"}), D::none, "none", "", "x models the half x >= 0, y the half y >= 0, quarter both"},
+    {"blank.symmetry", words(AT(c.blank.symmetry), {"none", "x", "y", "quarter"}), D::none, "none", "", "x models the half x >= 0, y the half y >= 0, quarter both; a mesh has to be that part, its nodes on x = 0 and y = 0 are on the mirrors"},
 
     {"material.card", AT(c.material.card), D::none, optional, "", "gives the keys of this table that the case does not: a name in a folder cards, or a path ending in .toml"},
     {"material.source", AT(c.material.source), D::none, optional, "", "where the values come from; shown with every prediction"},
@@ -145,7 +142,7 @@ std::vector<Row> all_rows()
 
     {"boundary.name", AT(boundary->name), D::none, required, "", "letters, digits, _ and -; names the boundary in results, unlike any tool"},
     {"boundary.kind", words(AT(boundary->kind), {"grip", "picture_frame"}), D::none, "grip", "", "holds one edge, or all four of a square blank in a frame hinged at the corners"},
-    {"boundary.edge", of_grips(words(AT(boundary->edge), {"left", "right", "bottom", "top"})), D::none, optional, "", "that a grip holds: x = -a/2, x = a/2, y = -b/2, y = b/2"},
+    {"boundary.edge", of_grips(words(AT(boundary->edge), {"left", "right", "bottom", "top"})), D::none, optional, "", "that a grip holds: x = -a/2, x = a/2, y = -b/2, y = b/2; of a mesh the nodes on that side of its bounding box (within 1e-6 of its width), two or more"},
     {"boundary.motion.axis", of_grips(words(AT(motion()->axis), axes)), D::none, optional, "", "along which a grip moves; a frame's corner (a/2, b/2) moves along the diagonal, opening the frame"},
     {"boundary.motion.profile", words(AT(motion()->profile), {"constant", "smooth", "table"}), D::none, "constant", "", "of the speed; smooth starts and ends at rest"},
     {"boundary.motion.displacement", MotionAmount{Motion::Quantity::displacement}, D::length, optional, "", "reached at time.end; this or velocity"},

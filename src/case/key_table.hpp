@@ -43,8 +43,8 @@ struct MotionTable {};
 /// Where a key's value lives, and thereby its type.
 using Binding =
     std::variant<At<double>, At<std::optional<double>>, At<int>, At<std::optional<int>>, At<std::string>,
-                 At<std::filesystem::path>, At<Vec2>, At<Vec3>, Words, MotionAmount, MotionTable,
-                 At<std::vector<double>>, At<std::vector<ViscosityPoint>>>;
+                 At<std::filesystem::path>, At<Vec2>, At<Vec3>, At<std::optional<Vec3>>, Words, MotionAmount,
+                 MotionTable, At<std::vector<double>>, At<std::vector<ViscosityPoint>>>;
 
 /// A default that says there is none.
 inline const std::string required = "required"; ///< the case (or its card) must give the key
@@ -62,9 +62,9 @@ struct Row {
   std::string only_with{}; ///< path of the key without which this one has no effect
   bool bare_unit = false;  ///< "mm" stands for "1 mm"
   /// Whether the key says anything beside the keys before it; otherwise it is neither asked for nor echoed.
-  std::function<bool(const MaterialParameters&)> when{};
+  std::function<bool(const Case&)> when{};
 
-  [[nodiscard]] bool counts(const Case& c) const { return !when || when(c.material); }
+  [[nodiscard]] bool counts(const Case& c) const { return !when || when(c); }
 
   [[nodiscard]] std::string section() const; ///< first part of the path; empty for a key of no table
   [[nodiscard]] std::string name() const;    ///< last part of the path

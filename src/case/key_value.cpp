@@ -25,6 +25,10 @@ std::string get_key(const Row& row, Target& target)
             const Vec3 v = at(target);
             return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
           },
+          [&](At<std::optional<Vec3>> at) -> std::string {
+            const std::optional<Vec3> v = at(target);
+            return v ? fmt::format("[{}, {}, {}]", number(v->x), number(v->y), number(v->z)) : "";
+          },
           [&](const Words& words) -> std::string {
             const int place = words.get(target);
             return place < 0 ? "" : in_quotes(words.names[static_cast<std::size_t>(place)]);
@@ -74,6 +78,7 @@ std::string type_of(const Row& row)
                         [](At<std::filesystem::path>) { return std::string("path"); },
                         [&](At<Vec2>) { return "two " + name + "s"; },
                         [&](At<Vec3>) { return "three " + name + "s"; },
+                        [&](At<std::optional<Vec3>>) { return "three " + name + "s"; },
                         [](const Words& words) { return fmt::format("{}", fmt::join(words.names, ", ")); },
                         [&](const MotionAmount&) { return std::string(name); },
                         [](const MotionTable&) { return std::string("table"); },

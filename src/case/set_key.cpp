@@ -94,8 +94,9 @@ struct Reading {
   [[nodiscard]] std::optional<std::array<double, N>> reals(const Value& value) const
   {
     if (value.kind != Kind::list || value.items.size() != N) {
-      must_be(value,
-              type_of(row) + (N == 2 ? ", such as [\"650 mm\", \"450 mm\"]" : ", such as [0, 0, \"5 mm\"]"));
+      must_be(value, type_of(row) + (N == 2 ? ", such as [\"650 mm\", \"450 mm\"]"
+                                     : row.dimension == Dimension::length ? ", such as [0, 0, \"5 mm\"]"
+                                                                          : ", such as [1, 0, 0]"));
       return {};
     }
     std::array<double, N> numbers{};
@@ -235,6 +236,9 @@ void set_key(const Row& row, const Value& value, Target& target, std::vector<Inp
                  },
                  [&](At<Vec3> at) {
                    if (const auto n = reading.reals<3>(value)) at(target) = {(*n)[0], (*n)[1], (*n)[2]};
+                 },
+                 [&](At<std::optional<Vec3>> at) {
+                   if (const auto n = reading.reals<3>(value)) at(target) = Vec3{(*n)[0], (*n)[1], (*n)[2]};
                  },
                  [&](const Words& words) { reading.word(value, words); },
                  [&](const MotionAmount& amount) {

@@ -1,4 +1,5 @@
 #include "element/quadrilateral_grid.hpp"
+#include "mesh/yarn_directions.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,13 +12,6 @@ namespace {
 void require(bool fine, const char* message)
 {
   if (!fine) throw std::invalid_argument(message);
-}
-
-/// Cosine, exact at right angles.
-double cosine(double angle)
-{
-  const double c = std::cos(angle);
-  return std::abs(c) < 1e-15 ? 0.0 : c;
 }
 
 } // namespace
@@ -35,7 +29,8 @@ SurfaceMesh QuadrilateralGrid::triangles() const
 QuadrilateralGrid make_quadrilateral_grid(const BlankParameters& p)
 {
   constexpr double right_angle = 0.5 * std::numbers::pi, most = 1e6;
-  require(std::abs(std::remainder(p.fibre_angle + p.mesh_angle, right_angle)) < 1e-9,
+  require(p.mesh.empty(), "the implicit solver meshes a rectangle itself: it takes no blank.mesh");
+  require(std::abs(std::remainder(warp_angle(p) + p.mesh_angle, right_angle)) < 1e-9,
           "quadrilaterals lie along the sides of the blank: fibre_angle + mesh_angle must be a multiple of "
           "90 degrees");
   require(p.symmetry == Symmetry::none, "quadrilaterals mesh the whole blank: symmetry must be \"none\"");
@@ -54,8 +49,9 @@ QuadrilateralGrid make_quadrilateral_grid(const BlankParameters& p)
   for (int j = 0; j < g.ny; ++j)
     for (int i = 0; i < g.nx; ++i)
       g.elements.push_back({g.node(i, j), g.node(i + 1, j), g.node(i + 1, j + 1), g.node(i, j + 1)});
-  g.warp = {cosine(p.fibre_angle), cosine(p.fibre_angle - right_angle), 0.0};
-  g.weft = {-g.warp.y, g.warp.x, 0.0};
+  const YarnDirections yarns = yarn_directions(p);
+  g.warp = yarns.warp;
+  g.weft = yarns.weft;
   g.thickness = p.thickness;
   return g;
 }

@@ -1,6 +1,8 @@
 #include "mesh/blank_grid.hpp"
 #include "mesh/blank_lattice.hpp"
+#include "mesh/imported_blank.hpp"
 #include "mesh/renumber.hpp"
+#include "mesh/yarn_directions.hpp"
 #include "towform/blank.hpp"
 #include <cmath>
 #include <fmt/format.h>
@@ -34,7 +36,7 @@ double approximate_count(const BlankParameters& b)
          (*b.edge * *b.edge / cell);
 }
 
-void validate(const BlankParameters& b)
+void validate_size(const BlankParameters& b)
 {
   const auto positive = [](double v) { return std::isfinite(v) && v > 0.0; };
   require(positive(b.size.x) && positive(b.size.y),
@@ -51,24 +53,26 @@ void validate(const BlankParameters& b)
   require(approximate_count(b) <= element_limit,
           "the blank would have {:.3g} elements; the limit is {:.3g}: ask for fewer or for longer edges",
           approximate_count(b), element_limit);
+}
+
+void validate(const BlankParameters& b)
+{
+  if (b.mesh.empty()) validate_size(b);
   require(std::isfinite(b.fibre_angle) && std::isfinite(b.mesh_angle),
           "the fibre angle and the mesh angle of the blank must be finite");
   require(std::isfinite(b.thickness) && b.thickness >= 0.0,
           "the thickness of the blank must be a positive length; it is {} m", b.thickness);
-  require(b.symmetry == Symmetry::none || is_multiple(b.fibre_angle, 0.5 * right_angle),
-          "a blank with symmetry needs a fibre angle of 0, 45 or 90 degrees, not {:.6g}: its yarns are not "
-          "their own "
-          "mirror image; mesh the whole blank",
-          b.fibre_angle * 180.0 / std::numbers::pi);
-}
-
-/// Cosine and sine, exact at multiples of 90 degrees.
-Vec3 direction(double angle)
-{
-  if (!is_multiple(angle, right_angle)) return {std::cos(angle), std::sin(angle), 0.0};
-  constexpr Vec3 exact[] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}};
-  const double quarters = std::remainder(std::round(angle / right_angle), 4.0); // -2 … 2
-  return exact[(static_cast<int>(quarters) + 4) % 4];
+  const YarnDirections yarns = yarn_directions(b);
+  const bool x = b.symmetry == Symmetry::x || b.symmetry == Symmetry::quarter;
+  const bool y = b.symmetry == Symmetry::y || b.symmetry == Symmetry::quarter;
+  if ((x && !mirrors_itself(yarns, {1, 0, 0})) || (y && !mirrors_itself(yarns, {0, 1, 0})))
+    throw std::invalid_argument(
+        b.fibre_1
+            ? "a blank with symmetry needs yarns that are their own mirror image, which fibre_1 and "
+              "fibre_2 are not; mesh the whole blank"
+            : fmt::format("a blank with symmetry needs a fibre angle of 0, 45 or 90 degrees, not {:.6g}: "
+                          "its yarns are not their own mirror image; mesh the whole blank",
+                          b.fibre_angle * 180.0 / std::numbers::pi));
 }
 
 SurfaceMesh mesh_along_sides(const BlankParameters& b)
@@ -97,9 +101,23 @@ SurfaceMesh mesh_in_part(const BlankParameters& b)
     const auto count = [&](double edge) { return count_unstructured_mesh(part, edge); };
     return unstructured_mesh(part, b.edge ? *b.edge : edge_for_count(wanted, estimate, count));
   }
-  const double angle = b.fibre_angle + b.mesh_angle;
+  const double angle = warp_angle(b) + b.mesh_angle;
   return turned_grid(part, b.edge ? TurnedGrid{*b.edge, angle, b.pattern}
                                   : turned_grid_for_elements(part, wanted, estimate, angle, b.pattern));
+}
+
+SurfaceMesh rectangle_mesh(const BlankParameters& b)
+{
+  const bool aligned =
+      b.pattern != Pattern::unstructured && is_multiple(warp_angle(b) + b.mesh_angle, right_angle);
+  return aligned ? mesh_along_sides(b) : mesh_in_part(b);
+}
+
+SurfaceMesh imported_mesh(const BlankParameters& b)
+{
+  SurfaceMesh mesh = triangles_of(read_msh(b.mesh, b.mesh_unit), b.mesh.string());
+  put_on_mirrors(mesh, b.symmetry);
+  return mesh;
 }
 
 } // namespace
@@ -107,13 +125,12 @@ SurfaceMesh mesh_in_part(const BlankParameters& b)
 Blank make_blank(const BlankParameters& parameters)
 {
   validate(parameters);
-  const bool aligned = parameters.pattern != Pattern::unstructured &&
-                       is_multiple(parameters.fibre_angle + parameters.mesh_angle, right_angle);
   Blank blank;
-  blank.mesh = aligned ? mesh_along_sides(parameters) : mesh_in_part(parameters);
+  blank.mesh = parameters.mesh.empty() ? rectangle_mesh(parameters) : imported_mesh(parameters);
   renumber(blank.mesh);
-  blank.warp = direction(parameters.fibre_angle);
-  blank.weft = {0.0 - blank.warp.y, blank.warp.x, 0.0};
+  const YarnDirections yarns = yarn_directions(parameters);
+  blank.warp = yarns.warp;
+  blank.weft = yarns.weft;
   blank.thickness = parameters.thickness;
 
   const bool at_x = parameters.symmetry == Symmetry::x || parameters.symmetry == Symmetry::quarter;

@@ -1,14 +1,13 @@
+#include "mesh/mesh_file.hpp"
 #include "mesh/stl_text.hpp"
 #include "mesh/surface_check.hpp"
 #include "towform/error.hpp"
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <climits>
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
-#include <fstream>
 #include <stdexcept>
 
 namespace towform {
@@ -21,28 +20,6 @@ constexpr std::uint64_t header_size = 84, facet_size = 50;
 
 // Relative to the bounding box's diagonal: a few roundings of single precision.
 constexpr double weld_tolerance = 1e-6;
-
-std::string load(const std::filesystem::path& path)
-{
-  namespace fs = std::filesystem;
-  const std::string name = path.string();
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) throw FileError(fmt::format("{}: no such file; check the mesh's path", name));
-  if (fs::is_directory(status)) {
-    throw FileError(fmt::format("{}: is a directory; give the path of an STL file", name));
-  }
-  if (!fs::is_regular_file(status)) {
-    throw FileError(fmt::format("{}: is not a regular file; give the path of an STL file", name));
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(fmt::format("{}: cannot be opened: {}", name, std::strerror(errno)));
-  std::string bytes(fs::file_size(path, error), '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file) throw FileError(fmt::format("{}: cannot be read to its end: {}", name, std::strerror(errno)));
-  if (bytes.empty()) throw FileError(fmt::format("{}: is empty; export the mesh again", name));
-  return bytes;
-}
 
 std::uint64_t claimed_facets(const std::string& bytes)
 {
@@ -126,7 +103,7 @@ SurfaceMesh read_stl(const std::filesystem::path& path, double unit)
     throw std::invalid_argument(fmt::format("the unit of a mesh must be a positive length, not {} m", unit));
   }
   const std::string name = path.string();
-  SurfaceMesh mesh = parse(load(path), name);
+  SurfaceMesh mesh = parse(read_mesh_file(path, "an STL file"), name);
   if (mesh.triangles.empty()) throw FileError(fmt::format("{}: has no facets; export the mesh again", name));
   for (Vec3& p : mesh.points) p *= unit;
   mesh = weld(mesh, weld_tolerance * diagonal(mesh.points), false);

@@ -13,13 +13,29 @@ namespace {
 using Edge = BoundaryParameters::Edge;
 using std::numbers::sqrt2;
 
-bool is_on(Edge edge, const Vec3& x, const Vec2& size)
-{
-  const double tolerance = 1e-9 * std::max(size.x, size.y);
-  const bool upright = edge == Edge::left || edge == Edge::right;
-  const double sign = edge == Edge::left || edge == Edge::bottom ? -1.0 : 1.0;
-  return std::abs(upright ? x.x - sign * 0.5 * size.x : x.y - sign * 0.5 * size.y) <= tolerance;
-}
+/// The sides of the box round the flat blank.
+struct Sides {
+  Vec2 low, high;
+  double tolerance;
+
+  Sides(const Blank& blank, bool imported)
+  {
+    low = high = {blank.mesh.points[0].x, blank.mesh.points[0].y};
+    for (const Vec3& p : blank.mesh.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    tolerance = (imported ? 1e-6 : 1e-9) * std::max(high.x - low.x, high.y - low.y);
+  }
+  [[nodiscard]] bool has(Edge edge, const Vec3& x) const
+  {
+    const double beyond = edge == Edge::left     ? x.x - low.x
+                          : edge == Edge::right  ? high.x - x.x
+                          : edge == Edge::bottom ? x.y - low.y
+                                                 : high.y - x.y;
+    return beyond <= tolerance;
+  }
+};
 
 double whole_over_modelled(Edge edge, Symmetry symmetry)
 {
@@ -62,14 +78,20 @@ Boundary make_boundary(const BoundaryParameters& p, const BlankParameters& flat,
   else
     b.whole_edge = whole_over_modelled(p.edge, flat.symmetry);
   if (p.motion && !frame) b.direction = unit_vector(p.motion->axis);
+  const Sides sides(blank, !flat.mesh.empty());
   for (std::size_t n = 0; n < blank.mesh.points.size(); ++n) {
     const Vec3& x = blank.mesh.points[n];
-    const auto on = [&](Edge edge) { return is_on(edge, x, flat.size); };
+    const auto on = [&](Edge edge) { return sides.has(edge, x); };
     if (frame ? on(Edge::left) || on(Edge::right) || on(Edge::bottom) || on(Edge::top) : on(p.edge)) {
       b.nodes.push_back(static_cast<int>(n));
       b.start.push_back(frame ? Vec3{x.x / b.arm + 0.5, x.y / b.arm + 0.5, 0.0} : x);
     }
   }
+  if (b.nodes.size() < 2) // of an imported blank only
+    throw std::invalid_argument(fmt::format(
+        "boundary.{}: the mesh has one node only on that side of its bounding box; a grip needs a "
+        "straight edge there",
+        p.name));
   if (frame && b.motion) check_frame(b, end);
   return b;
 }

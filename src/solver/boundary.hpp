@@ -36,8 +36,9 @@ struct BoundaryState {
   double work = 0.0;         ///< done on the sheet up to t_n, by the trapezoid rule [J]
 };
 
-/// The nodes that a boundary of the case holds. Throws std::invalid_argument when a picture frame is asked to
-/// shear beyond the angles of the shear-force surface before `end` [s].
+/// The nodes that a boundary of the case holds: those on a side of the flat blank's bounding box. Throws
+/// std::invalid_argument when that is a single node of an imported blank, and when a picture frame is asked
+/// to shear beyond the angles of the shear-force surface before `end` [s].
 Boundary make_boundary(const BoundaryParameters& parameters, const BlankParameters& size, const Blank& blank,
                        double end);
 

@@ -1,7 +1,6 @@
 #include "solver/measure.hpp"
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace towform {
 
@@ -19,6 +18,8 @@ void sheet_fields(const Model& model, const State& s, Frame& f)
   const ShearCurves& curves = *model.material.curves;
   const double scale = velocity_scale(model.material);
   const Membrane& membrane = model.membrane;
+  // The sheet keeps its volume: its area grows by lambda1 lambda2 cos(theta) over that of the reference.
+  const double reference_cosine = std::sqrt(1.0 - membrane.reference_sine * membrane.reference_sine);
   for (std::size_t e = 0; e < membrane.triangles.size(); ++e) {
     const ShearPoint& p = s.shear[e];
     f.shear_angle.push_back(p.angle * to_degrees);
@@ -30,24 +31,21 @@ void sheet_fields(const Model& model, const State& s, Frame& f)
     f.fibre_1.push_back(y.f1);
     f.fibre_2.push_back(y.f2);
     f.fibre_strain.push_back({y.lambda1 - 1.0, y.lambda2 - 1.0});
-    f.thickness.push_back(membrane.thickness /
+    f.thickness.push_back(membrane.thickness * reference_cosine /
                           (y.lambda1 * y.lambda2 * std::sqrt(1.0 - s.sine[e] * s.sine[e])));
   }
 }
 
-/// The node nearest to a point of the flat blank; -1 when the point is not in the modelled part.
-int node_at(const Blank& blank, double x, double y)
+/// The outline without what lies on the mirror planes.
+std::vector<std::array<int, 2>> free_edges(const Blank& blank)
 {
-  int best = -1;
-  double nearest = std::numeric_limits<double>::max();
-  for (std::size_t n = 0; n < blank.mesh.points.size(); ++n) {
-    const double d = std::hypot(blank.mesh.points[n].x - x, blank.mesh.points[n].y - y);
-    if (d < nearest) {
-      nearest = d;
-      best = static_cast<int>(n);
-    }
-  }
-  return best;
+  std::vector<std::array<int, 2>> edges = outline_edges(blank.mesh.triangles);
+  for (const std::vector<int>* mirror : {&blank.mirror_x, &blank.mirror_y})
+    std::erase_if(edges, [&](const std::array<int, 2>& edge) {
+      return std::binary_search(mirror->begin(), mirror->end(), edge[0]) &&
+             std::binary_search(mirror->begin(), mirror->end(), edge[1]);
+    });
+  return edges;
 }
 
 double percentile_99(std::vector<double> values)
@@ -78,32 +76,36 @@ Frame make_frame(const Model& model, const System& s)
 
 DrawInGauge::DrawInGauge(const Blank& blank)
 {
-  double x_min = 0.0, x_max = 0.0, y_min = 0.0, y_max = 0.0;
-  for (const Vec3& p : blank.mesh.points) {
-    x_min = std::min(x_min, p.x);
-    x_max = std::max(x_max, p.x);
-    y_min = std::min(y_min, p.y);
-    y_max = std::max(y_max, p.y);
+  const std::vector<Vec3>& points = blank.mesh.points;
+  Vec2 low{points[0].x, points[0].y}, high = low;
+  for (const Vec3& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
-  // A side at 0 is a mirror, not an edge.
-  for (const double x : {x_min, x_max})
-    if (x != 0.0) x_mid_.push_back(node_at(blank, x, 0.0));
-  for (const double y : {y_min, y_max})
-    if (y != 0.0) y_mid_.push_back(node_at(blank, 0.0, y));
-  for (const double x : {x_min, x_max})
-    for (const double y : {y_min, y_max})
-      if (x != 0.0 && y != 0.0) corner_.push_back(node_at(blank, x, y));
+  const bool half_x = !blank.mirror_x.empty(), half_y = !blank.mirror_y.empty();
+  middle_ = {half_x ? 0.0 : 0.5 * (low.x + high.x), half_y ? 0.0 : 0.5 * (low.y + high.y)};
+  std::vector<double> sides_x{high.x}, sides_y{high.y};
+  if (!half_x) sides_x.push_back(low.x);
+  if (!half_y) sides_y.push_back(low.y);
+
+  const auto edges = free_edges(blank);
+  const auto towards = [&](double x, double y) { return last_crossing(edges, points, middle_, {x, y}); };
+  for (const double x : sides_x) x_mid_.push_back(towards(x, middle_.y));
+  for (const double y : sides_y) y_mid_.push_back(towards(middle_.x, y));
+  for (const double x : sides_x)
+    for (const double y : sides_y) corner_.push_back(towards(x, y));
 }
 
 DrawIn DrawInGauge::measure(const Blank& blank, const System& s) const
 {
-  const auto mean = [&](const std::vector<int>& nodes, double wx, double wy) {
+  const auto mean = [&](const std::vector<OutlinePoint>& points, double wx, double wy) {
+    const auto distance = [&](const Vec3& p) {
+      return std::hypot(wx * (p.x - middle_.x), wy * (p.y - middle_.y));
+    };
     double sum = 0.0;
-    for (const int n : nodes) {
-      const Vec3 &from = blank.mesh.points[n], &to = s.sheet.position[n];
-      sum += std::hypot(wx * from.x, wy * from.y) - std::hypot(wx * to.x, wy * to.y);
-    }
-    return sum / static_cast<double>(nodes.size());
+    for (const OutlinePoint& p : points)
+      sum += distance(p.at(blank.mesh.points)) - distance(p.at(s.sheet.position));
+    return sum / static_cast<double>(points.size());
   };
   return {mean(x_mid_, 1.0, 0.0), mean(y_mid_, 0.0, 1.0), mean(corner_, 1.0, 1.0)};
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "mesh/outline.hpp"
 #include "solver/energy.hpp"
 #include "solver/model.hpp"
 #include "towform/results.hpp"
@@ -8,21 +9,25 @@ namespace towform {
 /// The state of the sheet at t_n as a frame of the results.
 Frame make_frame(const Model& model, const System& s);
 
-/// How far the blank's edges have moved towards its middle in plan, means over the modelled edges [m].
+/// How far the blank's outline has moved towards its middle in plan, means over the modelled sides [m]. The
+/// middle is that of the flat blank's bounding box (0 across a mirror plane). Six kinds of points of the
+/// outline are followed, wherever the outline is met last by a ray from the middle:
 struct DrawIn {
-  double x_mid = 0.0;  ///< middle of the edges x = const
-  double y_mid = 0.0;  ///< middle of the edges y = const
-  double corner = 0.0; ///< corners, along their diagonal
+  double x_mid = 0.0;  ///< along +x and -x: how much nearer the middle in x
+  double y_mid = 0.0;  ///< along +y and -y: in y
+  double corner = 0.0; ///< towards the corners of the bounding box: in plan distance
 };
 
-/// Remembers which nodes stand for the blank's edges.
+/// Remembers which points of the outline stand for the blank's edges. A ray that misses the outline (of an L,
+/// a C) takes the outline's node nearest to where it leaves the bounding box; so every blank has all three.
 class DrawInGauge {
 public:
   explicit DrawInGauge(const Blank& blank);
   [[nodiscard]] DrawIn measure(const Blank& blank, const System& s) const;
 
 private:
-  std::vector<int> x_mid_, y_mid_, corner_;
+  Vec2 middle_;
+  std::vector<OutlinePoint> x_mid_, y_mid_, corner_;
 };
 
 /// Extremes over the elements.

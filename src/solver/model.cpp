@@ -101,6 +101,10 @@ auto input(const Case& c, const std::string& key, std::vector<InputIssue>& issue
     return make();
   } catch (const std::logic_error& e) { // invalid_argument and domain_error: the user's values
     issues.push_back({c.where(key), e.what()});
+  } catch (const FileError& e) {
+    issues.push_back({c.where(key), e.what(), ExitCode::files});
+  } catch (const InputError& e) { // a file named by the key, with places of its own
+    issues.insert(issues.end(), e.issues().begin(), e.issues().end());
   }
   return std::nullopt;
 }
@@ -115,7 +119,8 @@ double mirror_factor(Symmetry symmetry)
 Model build_model(const Case& c)
 {
   std::vector<InputIssue> issues;
-  auto blank = input(c, "blank", issues, [&] { return make_blank(c.blank); });
+  auto blank =
+      input(c, c.blank.mesh.empty() ? "blank" : "blank.mesh", issues, [&] { return make_blank(c.blank); });
   auto material =
       input(c, "material", issues, [&] { return make_fabric_material(c.material, c.blank.thickness); });
   std::vector<Tool> tools = read_tools(c, issues);

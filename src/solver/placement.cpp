@@ -86,8 +86,11 @@ void check_placement(const Case& c, const Blank& blank, const std::vector<Tool>&
       issues.push_back(
           {c.where(key),
            fmt::format("tool '{}' is {:.4g} m wide against a blank of {:.4g} m: an STL file carries no "
-                       "unit, is mesh_unit = {} right?",
-                       tool.name, widest(body), blank_width, c.tools[i].mesh_unit)});
+                       "unit, {} right?",
+                       tool.name, widest(body), blank_width,
+                       c.blank.mesh.empty() ? fmt::format("is mesh_unit = {}", c.tools[i].mesh_unit)
+                                            : fmt::format("are its mesh_unit = {} and blank.mesh_unit = {}",
+                                                          c.tools[i].mesh_unit, c.blank.mesh_unit))});
       continue;
     }
     const auto [low, high] = travel(tool, c.time.end);

@@ -15,7 +15,7 @@ Provenance provenance_of(const Case& c)
   p.title = c.title;
   p.case_text = c.text;
   p.resolved_case = resolved_case(c);
-  std::vector<std::filesystem::path> inputs{c.path, c.material.card_file, c.material.curves};
+  std::vector<std::filesystem::path> inputs{c.path, c.blank.mesh, c.material.card_file, c.material.curves};
   for (const ToolParameters& tool : c.tools) inputs.push_back(tool.mesh);
   for (const std::filesystem::path& input : inputs)
     if (!input.empty()) p.input_sha256.emplace_back(input.string(), sha256_of_file(input));

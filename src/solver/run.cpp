@@ -146,12 +146,13 @@ std::string describe_run(const Case& c)
 {
   if (c.solver == SolverKind::implicit) return describe_statics(c);
   const Model model = build_model(c);
+  const auto direction = [](const Vec3& v) { return std::atan2(v.y, v.x) * 180.0 / M_PI; };
   std::string text = headline(c, model) + '\n';
-  text += fmt::format(
-      "sheet {:.1f} g, added by mass scaling {:.2f} %; warp at {:.1f} deg, curves fit to {:.2f} %\n",
-      1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
-      100.0 * model.added_mass_fraction, std::atan2(model.blank.warp.y, model.blank.warp.x) * 180.0 / M_PI,
-      100.0 * model.material.curves->fit_error);
+  text += fmt::format("sheet {:.1f} g, added by mass scaling {:.2f} %; warp at {:.1f} deg, weft at {:.1f} "
+                      "deg, curves fit to {:.2f} %\n",
+                      1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
+                      100.0 * model.added_mass_fraction, direction(model.blank.warp),
+                      direction(model.blank.weft), 100.0 * model.material.curves->fit_error);
   for (const Tool& tool : model.tools) {
     const Vec3 low = tool.surface.lowest(), high = tool.surface.highest();
     const std::string drive =

@@ -52,7 +52,8 @@ struct ElementMean {
       force += share * s.shear[k].force;
       strain1 += share * (net.lambda1 - 1.0);
       strain2 += share * (net.lambda2 - 1.0);
-      thickness += share * m.thickness / (net.lambda1 * net.lambda2 * std::sqrt(1.0 - net.sine * net.sine));
+      thickness += share * m.thickness * std::sqrt(1.0 - m.reference_sine * m.reference_sine) /
+                   (net.lambda1 * net.lambda2 * std::sqrt(1.0 - net.sine * net.sine));
       f1 += net.f1;
       f2 += net.f2;
     }

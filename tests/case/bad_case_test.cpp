@@ -66,7 +66,7 @@ const std::vector<Bad> bad_lines{
     // Unknown keys
     {8, "symetry = \"x\"", "8:1", "unknown key `symetry` in [blank]; did you mean `symmetry`?"},
     {8, "friction = 0.3", "8:1", "unknown key `friction` in [blank]; did you mean `tool.friction`?"},
-    {8, "width = 3", "8:1", "its keys are size, elements"},
+    {8, "width = 3", "8:1", "its keys are mesh, mesh_unit, size, elements"},
     {8, "axis = \"z\"", "8:1", "did you mean `tool.axis`, `tool.motion.axis` or `boundary.motion.axis`?"},
     {1, "thickness = 1", "1:1", "did you mean `blank.thickness`?"},
     {14, "matrix = { exponant = 0.3 }", "14:12", "unknown key `exponant` in [material.matrix]; did you mean `exponent`?"},
@@ -246,8 +246,8 @@ TEST_F(BadCase, EmptyFileSaysWhatIsMissing)
 {
   const std::vector<InputIssue> issues = issues_of("");
   ASSERT_EQ(issues.size(), 3U);
-  EXPECT_EQ(issues[0].text(),
-            "case.toml: table [blank] is missing; it needs size, thickness, and elements or edge");
+  EXPECT_EQ(issues[0].text(), "case.toml: table [blank] is missing; it needs size, thickness, and elements "
+                              "or edge; or mesh and thickness");
   EXPECT_EQ(issues[1].text().find("case.toml: table [material] is missing"), 0U);
   EXPECT_EQ(issues[2].text(), "case.toml: table [time] is missing; it needs end");
 }

@@ -14,8 +14,8 @@ import h5py
 import numpy as np
 
 PROGRAM, SOURCE = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-COMMANDS = {"run", "check", "mesh", "info"}
-DONE, USAGE, CASE_FILE, FILES, STABILITY, CONTACT = 0, 2, 3, 4, 5, 6
+COMMANDS = {"run", "check", "mesh", "info", "compare"}
+DONE, USAGE, CASE_FILE, FILES, STABILITY, CONTACT, COMPARISON = 0, 2, 3, 4, 5, 6, 8
 
 CASE = """title = "A small press"
 [blank]
@@ -230,6 +230,24 @@ class BadFiles(Program):
             write_stl(self.directory / "table.stl", turned)
             self.assert_refused(self.run_case(), FILES, rf"press\.toml:{TABLE_LINE}:\d+: .*table\.stl.*facet")
 
+    def test_a_broken_mesh_of_the_blank_is_named_with_its_line(self):
+        whole = (SOURCE / "meshes/disc.msh").read_text()
+        case = self.write("disc.toml", CASE.replace('size = ["60 mm", "60 mm"]\nelements = 72', 'mesh = "blank.msh"'))
+        broken = {"2.2": (whole.replace("4.1 0 8", "2.2 0 8"), r":2:1: .*2\.2.*4\.1"),
+                  "binary": (whole.replace("4.1 0 8", "4.1 1 8"), r":2:1: .*binary"),
+                  "cut short": (whole[:3000], r":\d+:1: .*truncated"),
+                  "lying": (whole.replace("1 2461 1 2461", "1 999999999999 1 2461"), r":10:1: claims 999999999999 nodes")}
+        for what, (content, pattern) in broken.items():
+            with self.subTest(what):
+                self.write("blank.msh", content)
+                self.assert_refused(self.run_case(case=case), FILES, r"blank\.msh" + pattern)
+
+    def test_a_wrong_unit_of_the_blank_is_suspected(self):
+        done = self.towform("check", SOURCE / "cases/disc.toml", "--set", "blank.mesh_unit=m")
+        self.assert_ends(done, CASE_FILE)
+        self.assertIn("against a blank of 300 m: an STL file carries no unit, are its mesh_unit = 1 and "
+                      "blank.mesh_unit = 1 right?", done.stderr)
+
     def test_a_directory_that_cannot_be_made(self):
         self.write("results", "a file is in its place")
         done = self.run_case()
@@ -326,6 +344,18 @@ class GoodRun(Program):
         self.assert_ends(self.run_case(), DONE)  # and without the override it is another
         self.assertNotEqual((self.out / "history.csv").read_bytes(), first)
 
+    def test_forms_a_blank_meshed_elsewhere(self):
+        stroke = ("--set", "tool.punch.motion.displacement=-10 mm", "--set", "time.end=10 ms", "--set", "output.frames=1")
+        self.assert_ends(self.run_case(*stroke, case=SOURCE / "cases/disc.toml"), DONE)
+        summary = json.loads((self.out / "summary.json").read_text())
+        self.assertEqual((summary["elements"], summary["nodes"]), (4800, 2461))
+        draw_in = summary["draw_in_mm"]
+        self.assertGreater(draw_in["corner"], 0.0)
+        with h5py.File(self.out / "results.h5", "r") as file:
+            self.assertIn("disc.msh", file.attrs["inputs"])
+            last = file["frames/0001"]
+            self.assertAlmostEqual(last["position"][:, 2].min(), -0.01, delta=0.0003)
+
     def test_goes_into_out_by_default_and_is_quiet_when_asked(self):
         done = self.towform("run", self.case, "--threads", 1, "--quiet")
         self.assert_ends(done, DONE)
@@ -377,6 +407,94 @@ class Info(Program):
         self.assertEqual(done.stderr, "")
         for words in ("A small press", "done", "72", "49", "shear_angle", "[deg]", "position z"):
             self.assertIn(words, done.stdout)
+
+
+class Compare(Program):
+    """Against the results' own numbers, read with another library."""
+
+    def setUp(self):
+        super().setUp()
+        self.assert_ends(self.run_case(), DONE)
+        self.results = self.out / "results.h5"
+        with h5py.File(self.results, "r") as file:
+            triangles, last = file["mesh/triangles"][:], file["frames/0003"]
+            self.centres = 1e3 * last["position"][:][triangles].mean(axis=1)  # mm
+            self.shear = last["shear_angle"][:]
+
+    def points(self, name, header, rows):
+        return self.write(name, "# made up\n" + ",".join(header) + "\n"
+                          + "".join(",".join(f"{v:.12g}" for v in row) + "\n" for row in rows))
+
+    def test_a_field_is_judged_and_written(self):
+        rows = [(*self.centres[e][:3], self.shear[e] + 0.25) for e in range(0, 72, 5)]
+        field = self.points("field.csv", ("x_mm", "y_mm", "z_mm", "shear_deg"), rows)
+        done = self.towform("compare", self.results, field, "--tolerance", 0.2501, "-o", "differences.csv")
+        self.assert_ends(done, DONE)
+        self.assertIn("within tolerance", done.stdout)
+        self.assertIn("mean -0.250, RMS 0.250, max 0.250 deg", done.stdout)
+        with open(self.directory / "differences.csv", newline="") as file:
+            written = list(csv.DictReader(file))
+        self.assertEqual(len(written), len(rows))
+        for row in written:
+            self.assertAlmostEqual(abs(float(row["difference_deg"])), 0.25, delta=1e-5)  # single precision
+        done = self.towform("compare", self.results, field, "--tolerance", 0.2499, "--rms", 0.2499)
+        self.assert_ends(done, COMPARISON)
+        self.assertEqual(done.stderr, "")
+        self.assertRegex(done.stdout, r"out of tolerance: largest difference 0\.25 deg \(line \d+\), limit 0\.2499 deg")
+        self.assertRegex(done.stdout, r"out of tolerance: RMS 0\.25 deg, limit 0\.2499 deg")
+
+    def test_points_outside_are_named(self):
+        outside = self.points("outside.csv", ("x_m", "y_m", "shear_rad"), [(0.0, 0.0, 0.0), (0.1, 0.0, 0.0)])
+        done = self.towform("compare", self.results, outside)
+        self.assert_ends(done, DONE)
+        self.assertRegex(done.stdout, r"\n +4 +100\.000 +0\.000 +0\.000 +outside the sheet\n")
+        done = self.towform("compare", self.results, outside, "--tolerance", "90 deg")
+        self.assert_ends(done, COMPARISON)
+        self.assertIn("1 point(s) outside the sheet: line(s) 4", done.stdout)
+
+    def test_an_outline_a_frame_and_rows_are_chosen(self):
+        outline = self.write("outline.csv", "set,x_mm,y_mm\na,30,0\na,0,30\nb,40,0\nb,50,0\n")
+        self.assert_refused_to_compare((outline,), FILES, r"outline\.csv:1:1: column `set` tells 2 sets apart, a and b")
+        done = self.towform("compare", self.results, outline, "--where", "set=a", "--frame", 0, "--tolerance", "1e-9 mm")
+        self.assert_ends(done, DONE)
+        self.assertIn("frame 0 of 0 to 3, 0 ms", done.stdout)
+        done = self.towform("compare", self.results, outline, "--where", "set=b", "--frame", 0, "--rms", 15.8)
+        self.assert_ends(done, COMPARISON)  # 10 and 20 mm away
+        self.assertIn("mean -15.000, RMS 15.811, max 20.000 mm (line 5)", done.stdout)
+
+    def test_sections(self):
+        section = self.write("section.csv", "arc_mm,shear_deg\n10,0\n50,0\n")
+        done = self.towform("compare", self.results, section, "--from=-30,0", "--to", "30 mm,0 mm")
+        self.assert_ends(done, DONE)
+        self.assertIn("2 of 2 points on the sheet", done.stdout)
+        sphere = self.write("sphere.csv", "polar_deg,shear_deg\n1,0\n20,0\n")
+        done = self.towform("compare", self.results, sphere, "--centre", "0,0,20", "--to", "0,30")
+        self.assert_ends(done, DONE)
+        self.assertIn("2 of 2 points on the sheet", done.stdout)
+
+    def assert_refused_to_compare(self, arguments, code, pattern):
+        done = self.towform("compare", self.results, *arguments)
+        self.assert_ends(done, code)
+        self.assertEqual(done.stdout, "")
+        self.assertRegex(done.stderr, pattern)
+
+    def test_what_it_cannot_use(self):
+        good = self.write("good.csv", "x_mm,y_mm,shear_deg\n0,0,0\n")
+        bad = self.write("bad.csv", "x_mm,y_mm,shear_deg\n0,zero,0\n0,0\n")
+        self.assert_refused_to_compare((bad,), FILES, r"bad\.csv:3:1: 2 values for 3 columns")
+        self.assert_refused_to_compare(("none.csv",), FILES, r"none\.csv")
+        self.assert_refused_to_compare((good, "--frame", 9), FILES, r"there is no frame 9; there are frames 0 to 3")
+        self.assert_refused_to_compare((good, "--from", "0,0"), USAGE, r"--from x,y and --to x,y")
+        self.assert_refused_to_compare((good, "--from", "0", "--to", "1,2"), USAGE, r"--from: 0 is not x,y")
+        self.assert_refused_to_compare((good, "--tolerance", "2 mm"), USAGE, r"--tolerance")
+        self.assert_refused_to_compare((good, "--tolerance", "-2"), USAGE, r"--tolerance")
+        self.assert_refused_to_compare((good, "--mirror"), USAGE, r"--mirror: the sheet ends neither at x = 0")
+        self.assert_refused_to_compare((good, "--where", "shear_deg"), USAGE, r"--where: 'shear_deg' is no condition")
+        self.assert_refused_to_compare((good, "--column", "sheer=shear_deg"), USAGE, r"--column")
+        done = self.towform("compare", good, good)
+        self.assert_ends(done, FILES)
+        self.assertRegex(done.stderr, r"good\.csv: cannot be opened")
+        self.assert_ends(self.towform("compare", self.results), USAGE)
 
 
 class Mesh(Program):
