@@ -99,7 +99,7 @@ RunOutcome run(const Case& c, const RunOptions& options)
   Recorder recorder(c, model, options.directory);
   Progress progress(options.directory, options.quiet);
   System s = start(model);
-  const StepBound bound(model.membrane, model.element_mass, model.shear_modulus);
+  const StepBound bound(model.membrane, model.element_mass, model.shear_modulus, model.bending);
   Summary& summary = recorder.summary();
   summary.threads = threads();
   progress.line(headline(c, model));
