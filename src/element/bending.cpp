@@ -45,7 +45,7 @@ Bending::Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std:
   first_end = offsets(end_points, points, [](int point) { return point; });
   ends.resize(end_points.size());
   next.assign(first_end.begin(), first_end.end() - 1);
-  for (std::size_t i = 0; i < end_points.size(); ++i) ends[next[end_points[i]]++] = static_cast<int>(i);
+  for (std::size_t i = 0; i < end_points.size(); ++i) ends[next[end_points[i]]++] = static_cast<unsigned>(i);
 }
 
 std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
@@ -77,7 +77,8 @@ void start(const Bending& bending, std::span<const Vec3> position, BendingState&
 {
   b.curvature = bending.curvature.at(position);
   b.damping.assign(position.size(), 0.0);
-  b.push.assign(position.size(), {});
+  b.moments.assign(position.size(), {});
+  b.turning.assign(2 * position.size(), {});
   b.image.assign(bending.curvature.images.size(), {});
   b.image_force.assign(bending.curvature.images.size(), {});
 }
@@ -115,7 +116,9 @@ void nodal_moments(const Bending& bending, BendingState& b, const State& s, doub
     // dkappa = n . d(x,ii) + x,ii . dn, of which only the part in the surface turns the normal.
     const Vec3 turning =
         inverse * (warp_moment * (warp - now.warp * normal) + weft_moment * (weft - now.weft * normal));
-    b.push[n] = {warp_moment * normal, weft_moment * normal, cross(chord_b, turning), cross(turning, a)};
+    b.moments[n] = {normal, warp_moment, weft_moment};
+    b.turning[2 * n] = cross(chord_b, turning);
+    b.turning[2 * n + 1] = cross(turning, a);
   }
 }
 
@@ -124,17 +127,12 @@ Vec3 force_on(const Bending& bending, const BendingState& b, std::ptrdiff_t poin
   Vec3 force;
   for (int i = bending.first_share[point]; i < bending.first_share[point + 1]; ++i) {
     const Bending::Share& share = bending.shares[i];
-    const BendingState::Push& push = b.push[share.node];
-    force -= share.warp * push.warp + share.weft * push.weft;
+    const BendingState::Moments& m = b.moments[share.node];
+    force -= (share.warp * m.warp + share.weft * m.weft) * m.normal;
   }
   for (int i = bending.first_end[point]; i < bending.first_end[point + 1]; ++i) {
-    const int end = bending.ends[i];
-    const BendingState::Push& push = b.push[end / 4];
-    const Vec3& on_chord = end % 4 < 2 ? push.a : push.b;
-    if (end % 2 == 0)
-      force += on_chord;
-    else
-      force -= on_chord;
+    const unsigned end = bending.ends[i];
+    force += (end % 2 == 0 ? 1.0 : -1.0) * b.turning[end / 2];
   }
   return force;
 }

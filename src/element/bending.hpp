@@ -34,19 +34,20 @@ struct Bending {
   };
   std::vector<int> first_share, first_end; ///< of each point, images included
   std::vector<Share> shares;
-  std::vector<int> ends; ///< chord ends: 4 node + 0, 1, 2, 3 for a0, a1, b0, b1
+  std::vector<unsigned> ends; ///< chord ends: 4 node + 0, 1, 2, 3 for a0, a1, b0, b1
 };
 
 /// What changes of it.
 struct BendingState {
-  /// What a node's moments do to the points round it.
-  struct Push {
-    Vec3 warp, weft; ///< A_n M_i n, on each point times -c_k^i [N m^2]
-    Vec3 a, b;       ///< on the ends of the chords, as they turn the normal [N]
+  /// A node's moments: the points round it are pushed by -(c_k^1 warp + c_k^2 weft) normal.
+  struct Moments {
+    Vec3 normal;
+    double warp, weft; ///< A_n M_i [N m^2]
   };
   std::vector<YarnPair> curvature; ///< n, at x_n [1/m]
   std::vector<double> damping;     ///< n, lost in bending since the start [J]
-  std::vector<Push> push;          ///< n
+  std::vector<Moments> moments;    ///< n
+  std::vector<Vec3> turning;       ///< 2n, forces on the chords' ends a0 and b0, as they turn the normal [N]
   std::vector<Vec3> image, image_force;
 };
 
