@@ -127,14 +127,13 @@ std::vector<SymmetryLine> clamped_edges(const Case& c, const std::vector<Boundar
   return lines;
 }
 
-Bending make_bending(const Case& c, const Blank& blank, const Membrane& membrane,
-                     const std::vector<Boundary>& boundaries)
+Bending make_bending(const Case& c, const Model& model)
 {
   const MaterialParameters& m = c.material;
   const auto law = [&](double Vec2::*family) {
     return m.bending_stiffness ? MomentLaw((*m.bending_stiffness).*family) : MomentLaw(m.bending_table);
   };
-  return {blank, clamped_edges(c, boundaries), membrane.node_area, law(&Vec2::x), law(&Vec2::y)};
+  return {model.blank, model.clamped, model.membrane.node_area, law(&Vec2::x), law(&Vec2::y)};
 }
 
 Gravity make_gravity(const Case& c, const Membrane& membrane)
@@ -172,9 +171,9 @@ Model build_model(const Case& c)
   const YarnLaw yarn{c.material.fibre_modulus * c.blank.thickness, c.material.compression_factor};
   Membrane membrane(*blank, yarn, material->law);
   Model model(std::move(*blank), std::move(*material), std::move(membrane));
+  model.clamped = clamped_edges(c, boundaries);
   if (c.material.has_bending())
-    if (auto bending = input(c, "blank", issues,
-                             [&] { return make_bending(c, model.blank, model.membrane, boundaries); }))
+    if (auto bending = input(c, "blank", issues, [&] { return make_bending(c, model); }))
       model.bending.push_back(std::move(*bending));
   if (!issues.empty()) throw InputError(std::move(issues));
   if (c.load.gravity != Vec3{}) model.gravity.push_back(make_gravity(c, model.membrane));

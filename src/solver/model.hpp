@@ -29,6 +29,7 @@ struct Model {
   std::vector<Tool> tools;
   std::vector<Contact> contacts; ///< one a tool
   std::vector<Boundary> boundaries;
+  std::vector<SymmetryLine> clamped; ///< edges in grips
 
   Model(Blank b, FabricMaterial m, Membrane sheet)
       : blank(std::move(b)), material(std::move(m)), membrane(std::move(sheet))
