@@ -18,8 +18,10 @@ std::vector<SymmetryLine> lines_of(const Blank& blank, std::span<const SymmetryL
   return lines;
 }
 
-/// Two chords of a node's ring, each as nearly through the node as can be, not too nearly parallel.
-CurvatureOperator::Chords chords_of(const MirroredSheet& sheet, int node)
+/// Two chords of a node's ring that pass as nearly through the node as can be and are not too nearly
+/// parallel; of equally good ones those along and across the warp, so that a regular mesh is treated
+/// regularly.
+CurvatureOperator::Chords chords_of(const MirroredSheet& sheet, int node, const Vec3& warp)
 {
   std::vector<int> ends = sheet.neighbours[node];
   ends.push_back(node);
@@ -36,19 +38,27 @@ CurvatureOperator::Chords chords_of(const MirroredSheet& sheet, int node)
       const double length = norm(to - from);
       chords.push_back({ends[i], ends[j], norm(from + to) / length, (1.0 / length) * (to - from)});
     }
-  std::stable_sort(chords.begin(), chords.end(), [](const Chord& a, const Chord& b) {
-    constexpr double rounding = 1e-6; // equally good ones stay in the order of their numbers
-    return a.off < b.off - rounding;
-  });
-  const Chord& a = chords.front();
-  constexpr double sine = 0.5;
-  const auto across = [&](const Chord& c) { return std::abs(cross(a.along, c.along).z); };
-  auto b = std::find_if(chords.begin(), chords.end(), [&](const Chord& c) { return across(c) > sine; });
-  if (b == chords.end()) // the tip of a sliver
-    b = std::max_element(chords.begin(), chords.end(),
-                         [&](const Chord& c, const Chord& d) { return across(c) < across(d); });
-  if (cross(a.along, b->along).z > 0.0) return {a.from, a.to, b->from, b->to};
-  return {a.from, a.to, b->to, b->from};
+  const auto best = [&](const auto& angle) { // the nearest, then that of the largest sine or cosine
+    constexpr double rounding = 1e-6;
+    const Chord* found = nullptr;
+    for (const Chord& c : chords) {
+      constexpr double least = 0.5;
+      if (angle(c) < least) continue;
+      const double nearer = found == nullptr ? 1.0 : found->off - c.off;
+      if (nearer > rounding || (nearer > -rounding && angle(c) > angle(*found) + rounding)) found = &c;
+    }
+    return found;
+  };
+  const auto cosine = [&](const Chord& c) { return std::abs(dot(c.along, warp)); };
+  const Chord* first = best(cosine);
+  if (first == nullptr) first = &chords.front();
+  const auto sine = [&](const Chord& c) { return std::abs(cross(first->along, c.along).z); };
+  const Chord* second = best(sine);
+  if (second == nullptr) // the tip of a sliver
+    second = &*std::max_element(chords.begin(), chords.end(),
+                                [&](const Chord& c, const Chord& d) { return sine(c) < sine(d); });
+  if (cross(first->along, second->along).z > 0.0) return {first->from, first->to, second->from, second->to};
+  return {first->from, first->to, second->to, second->from};
 }
 
 std::vector<double> areas_of(const SurfaceMesh& flat)
@@ -70,7 +80,7 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
   std::vector<QuadraticFit> fits;
   for (std::size_t n = 0; n < sheet.nodes; ++n) {
     fits.push_back(quadratic_fit(sheet, static_cast<int>(n)));
-    chords.push_back(chords_of(sheet, static_cast<int>(n)));
+    chords.push_back(chords_of(sheet, static_cast<int>(n), blank.warp));
   }
   const std::array<Vec3, 2> directions{blank.warp, blank.weft};
   std::array<DirectionalWeights, 2> weights;

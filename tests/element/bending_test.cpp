@@ -262,10 +262,8 @@ TEST(Bending, MirrorsCarryOnTheSheet)
                                      [&](const Vec3& other) { return norm(other - at) < 1e-9; });
       ASSERT_NE(same, whole.mesh.points.end());
       const auto j = static_cast<std::size_t>(same - whole.mesh.points.begin());
-      // Of equally good chords the normal takes those of the lowest numbers, which are not the same on both:
-      // second order in element times curvature, 0.1 here.
-      EXPECT_NEAR(k_quarter[i].warp, k_whole[j].warp, 2e-3 * k_whole[j].warp) << "fibres at " << fibre;
-      EXPECT_NEAR(k_quarter[i].weft, k_whole[j].weft, 2e-3 * k_whole[j].weft) << "fibres at " << fibre;
+      EXPECT_NEAR(k_quarter[i].warp, k_whole[j].warp, 1e-9 * k_whole[j].warp) << "fibres at " << fibre;
+      EXPECT_NEAR(k_quarter[i].weft, k_whole[j].weft, 1e-9 * k_whole[j].weft) << "fibres at " << fibre;
       if (at.x == 0.0 || at.y == 0.0) continue;
       // The balance of moments is iterated, and not to the same end on both.
       EXPECT_LT(norm(f_whole[j] - f_quarter[i]), 1e-2 * largest(f_whole)) << "fibres at " << fibre;
