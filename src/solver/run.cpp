@@ -162,6 +162,10 @@ std::string describe_run(const Case& c)
       1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
       100.0 * model.added_mass_fraction, std::atan2(model.blank.warp.y, model.blank.warp.x) * 180.0 / M_PI,
       100.0 * model.material.curves->fit_error);
+  for (const Bending& bending : model.bending)
+    text += fmt::format("bending stiffness {:.3g} / {:.3g} mN m (warp / weft{})\n",
+                        1e3 * bending.warp.stiffness(), 1e3 * bending.weft.stiffness(),
+                        c.material.bending_table.empty() ? "" : ", the table's steepest");
   for (const Tool& tool : model.tools) {
     const Vec3 low = tool.surface.lowest(), high = tool.surface.highest();
     const std::string drive =

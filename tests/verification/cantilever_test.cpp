@@ -1,4 +1,5 @@
 #include "elastica.hpp"
+#include "parallel/parallel.hpp"
 #include "solver/bare_sheet.hpp"
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,7 @@ double critical(double length) { return 2.0 * 3.516 * std::sqrt(stiffness / 1.48
 /// Lets a strip come to rest.
 System settled(const Case& c, const Model& model, double seconds)
 {
+  set_threads(1); // a few hundred elements
   System s = start(model);
   Phases untimed;
   const auto steps = static_cast<int>(seconds / (0.9 * model.first_step));
