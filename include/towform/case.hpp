@@ -50,6 +50,10 @@ struct TimeParameters {
   double mass_damping = 0.0;  ///< force -a m v on every node [1/s]
 };
 
+struct LoadParameters {
+  Vec3 gravity; ///< acceleration of every part of the sheet [m/s^2]
+};
+
 struct ContactParameters {
   double penalty = 0.1; ///< beta of the penalty stiffness beta m / dt^2
   double damping = 0.0; ///< fraction of critical, normal to the tool
@@ -82,6 +86,7 @@ struct Case {
   MaterialParameters material;
   std::vector<ToolParameters> tools;
   std::vector<BoundaryParameters> boundaries;
+  LoadParameters load;
   TimeParameters time;
   ContactParameters contact;
   GateParameters gates;

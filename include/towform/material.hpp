@@ -1,6 +1,8 @@
 #pragma once
 #include "towform/energy_model.hpp"
+#include "towform/vec3.hpp"
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,12 @@ enum class LawKind { viscous, incremental, elastic };
 
 /// Which curve the incremental law follows.
 enum class CurveSelection { next_higher, interpolate };
+
+/// A point of a moment-curvature table.
+struct BendingPoint {
+  double curvature = 0.0; ///< [1/m], > 0
+  double moment = 0.0;    ///< per width of the sheet [N]
+};
 
 /// Everything a case says about the sheet's material.
 struct MaterialParameters {
@@ -33,6 +41,12 @@ struct MaterialParameters {
   double compression_factor = 0.0; ///< yarn stiffness in compression over that in tension
   double yarn_damping = 0.0;       ///< fraction of critical, in the yarn direction
   double relaxation_ratio = 0.0;   ///< Maxwell modulus G over yarn stiffness E h (viscous law)
+  /// B of warp (x) and weft (y), moment per width over the yarn's curvature [N m]; none: no bending.
+  std::optional<Vec2> bending_stiffness;
+  std::vector<BendingPoint> bending_table; ///< of both families, in place of the stiffness; or empty
+  double bending_damping = 0.0;            ///< fraction of critical, of the sheet's fastest bending
+
+  [[nodiscard]] bool has_bending() const { return bending_stiffness || !bending_table.empty(); }
 
   /// Whether the shear force is predicted from the constituents.
   [[nodiscard]] bool has_model() const { return curves.empty() && shear_tangent.empty(); }

@@ -17,6 +17,7 @@ struct Frame {
   std::vector<Vec3> position;                      ///< n [m]
   std::vector<Vec3> velocity;                      ///< n [m/s]
   std::vector<double> contact_pressure;            ///< n [Pa]
+  std::vector<double> clearance;                   ///< n [m], to the nearest tool; empty without tools
   std::vector<double> shear_angle;                 ///< m [deg]
   std::vector<double> shear_rate;                  ///< m [rad/s]
   std::vector<std::int32_t> curve_index;           ///< m, 1-based number of the curve in use
@@ -24,6 +25,7 @@ struct Frame {
   std::vector<double> shear_force;                 ///< m [N/m]
   std::vector<Vec3> fibre_1, fibre_2;              ///< m, unit yarn directions
   std::vector<std::array<double, 2>> fibre_strain; ///< m [-]
+  std::vector<std::array<double, 2>> curvature;    ///< m [1/m], along both yarns, since the flat blank
   std::vector<double> thickness;                   ///< m [m]
   std::vector<double> temperature;                 ///< m [K]
 };
@@ -56,6 +58,7 @@ private:
   std::filesystem::path directory_;
   std::size_t nodes_, elements_;
   std::vector<double> times_;
+  bool clearance_ = false; ///< has the first frame, and so has every one
 };
 
 /// history.csv: one row per output interval, flushed as it is written.
@@ -84,6 +87,9 @@ struct Summary {
   double fibre_strain_max = 0.0; ///< largest |strain| of any yarn in any element
   double fibre_strain_p99 = 0.0;
   double fibre_strain_over_2_percent = 0.0; ///< fraction of the elements with |strain| > 2 %
+  double fibre_compression_max = 0.0;       ///< largest shortening of any yarn, positive
+  double fibre_compression_p99 = 0.0;
+  double fibre_compression_over_half_percent = 0.0; ///< fraction of the elements with more than 0.5 %
   double draw_in_x_mid_mm = 0.0, draw_in_y_mid_mm = 0.0, draw_in_corner_mm = 0.0;
   double punch_force_max_N = 0.0;
   double penetration_max_mm = 0.0;

@@ -96,6 +96,8 @@ struct Checker {
       issue("material.law", fmt::format("law \"{}\" follows the rate, of which shear_tangent knows nothing; "
                                         "a sheet with shear_tangent needs law = \"elastic\"",
                                         m.law == LawKind::viscous ? "viscous" : "incremental"));
+    if (m.bending_stiffness && !m.bending_table.empty())
+      issue("material.bending_table", "material has both bending_stiffness and bending_table; give one");
     if (!m.has_model()) return;
     if (m.curve_rate_min > 0.0 && m.curve_rate_max > 0.0 && m.curve_rate_max <= m.curve_rate_min) {
       const std::string key =
@@ -114,6 +116,18 @@ struct Checker {
             fmt::format("fibre_volume_fraction {} makes {:.3f} inside a tow, where {} packing ends at {:.3f}",
                         k.fibre_volume_fraction, in_tow, hexagonal ? "hexagonal" : "square", most));
     }
+  }
+
+  void load() const
+  {
+    const Symmetry symmetry = c.blank.symmetry;
+    const bool half_x = symmetry == Symmetry::x || symmetry == Symmetry::quarter;
+    const bool half_y = symmetry == Symmetry::y || symmetry == Symmetry::quarter;
+    if ((half_x && c.load.gravity.x != 0.0) || (half_y && c.load.gravity.y != 0.0))
+      issue("load.gravity", "load.gravity pulls the sheet off a mirror plane of blank.symmetry");
+    const bool any = c.load.gravity != Vec3{};
+    if (any && c.solver == SolverKind::implicit)
+      issue("load.gravity", "the implicit solver knows no gravity: take the explicit one");
   }
 
   void motion(const std::string& label, const std::string& at, const Motion& motion) const
@@ -237,6 +251,7 @@ void check_case(const Case& c, std::vector<InputIssue>& issues)
   const Checker checker{c, issues};
   checker.blank();
   checker.material();
+  checker.load();
   std::set<std::string> names;
   for (std::size_t i = 0; i < c.tools.size(); ++i) checker.tool(i, names);
   for (std::size_t i = 0; i < c.boundaries.size(); ++i) checker.boundary(i, names);

@@ -50,6 +50,7 @@ bool arrhenius(const Case& c)
   return model(c) && c.material.constituents.matrix.shift == TemperatureShift::arrhenius;
 }
 bool wlf(const Case& c) { return model(c) && c.material.constituents.matrix.shift == TemperatureShift::wlf; }
+bool bending(const Case& c) { return c.material.has_bending(); }
 
 /// Words that mean something for grips only.
 Words of_grips(Words w)
@@ -104,6 +105,9 @@ std::vector<Row> all_rows()
     {"material.compression_factor", AT(c.material.compression_factor), D::none, "0.1", "0 .. 1", "yarn stiffness in compression over that in tension"},
     {"material.yarn_damping", AT(c.material.yarn_damping), D::none, "0.05", "0 .. 1", "along the yarns, fraction of critical"},
     {"material.relaxation_ratio", AT(c.material.relaxation_ratio), D::none, "0.1", "1e-4 .. 1", "shear modulus of the viscous law over the yarn stiffness"},
+    {"material.bending_stiffness", AT(c.material.bending_stiffness), D::bending_stiffness, optional, "> 0", "moment per width over the curvature of a yarn; one for both families or [warp, weft]; without it or a table the sheet does not resist bending"},
+    {"material.bending_table", AT(c.material.bending_table), D::force, optional, "> 0", "[[curvature, moment per width], …] of both families in place of bending_stiffness, curvatures rising; straight from (0, 0) through the points and on, odd, without hysteresis"},
+    {"material.bending_damping", AT(c.material.bending_damping), D::none, "0.05", "0 .. 1", "of bending, fraction of critical for its fastest waves", "", false, bending},
     {"material.fibre_volume_fraction", AT(c.material.constituents.fibre_volume_fraction), D::none, required, "> 0, <= 0.9", "of the composite", "", false, model},
     {"material.tow_width", AT(c.material.constituents.tow_width), D::length, required, "> 0", "of a tow", "", false, model},
     {"material.tow_gap", AT(c.material.constituents.tow_gap), D::length, required, ">= 0", "between neighbouring tows", "", false, model},
@@ -148,6 +152,8 @@ std::vector<Row> all_rows()
     {"boundary.motion.displacement", MotionAmount{Motion::Quantity::displacement}, D::length, optional, "", "reached at time.end; this or velocity"},
     {"boundary.motion.velocity", MotionAmount{Motion::Quantity::velocity}, D::velocity, optional, "", "kept up throughout; this or displacement"},
     {"boundary.motion.table", MotionTable{}, D::none, optional, "", "[[time, value], …] of profile table, values with a unit of length or velocity"},
+
+    {"load.gravity", AT(c.load.gravity), D::acceleration, "[0, 0, 0]", "", "acceleration of every part of the sheet; explicit solver only"},
 
     {"time.end", AT(c.time.end), D::time, required, "> 0", "of the run"},
     {"time.safety", AT(c.time.safety), D::none, "0.9", "> 0, <= 1", "step over the stable step"},

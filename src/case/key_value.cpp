@@ -21,6 +21,9 @@ std::string get_key(const Row& row, Target& target)
             return at(target).empty() && row.default_text == optional ? "" : in_quotes(at(target).string());
           },
           [&](At<Vec2> at) { return fmt::format("[{}, {}]", number(at(target).x), number(at(target).y)); },
+          [&](At<std::optional<Vec2>> at) {
+            return at(target) ? fmt::format("[{}, {}]", number(at(target)->x), number(at(target)->y)) : "";
+          },
           [&](At<Vec3> at) {
             const Vec3 v = at(target);
             return fmt::format("[{}, {}, {}]", number(v.x), number(v.y), number(v.z));
@@ -62,6 +65,13 @@ std::string get_key(const Row& row, Target& target)
                   fmt::format("[{}, {}]", written(p.rate, Dimension::frequency), number(p.viscosity)));
             return points.empty() ? "" : fmt::format("[{}]", fmt::join(points, ", "));
           },
+          [&](At<std::vector<BendingPoint>> at) -> std::string {
+            std::vector<std::string> points;
+            for (const BendingPoint& p : at(target))
+              points.push_back(
+                  fmt::format("[{}, {}]", written(p.curvature, Dimension::curvature), number(p.moment)));
+            return points.empty() ? "" : fmt::format("[{}]", fmt::join(points, ", "));
+          },
       },
       row.binding);
 }
@@ -69,23 +79,26 @@ std::string get_key(const Row& row, Target& target)
 std::string type_of(const Row& row)
 {
   std::string name = dimension_name(row.dimension);
-  return std::visit(Overload{
-                        [&](At<double>) { return std::string(name); },
-                        [&](At<std::optional<double>>) { return std::string(name); },
-                        [](At<int>) { return std::string("whole number"); },
-                        [](At<std::optional<int>>) { return std::string("whole number"); },
-                        [](At<std::string>) { return std::string("text"); },
-                        [](At<std::filesystem::path>) { return std::string("path"); },
-                        [&](At<Vec2>) { return "two " + name + "s"; },
-                        [&](At<Vec3>) { return "three " + name + "s"; },
-                        [&](At<std::optional<Vec3>>) { return "three " + name + "s"; },
-                        [](const Words& words) { return fmt::format("{}", fmt::join(words.names, ", ")); },
-                        [&](const MotionAmount&) { return std::string(name); },
-                        [](const MotionTable&) { return std::string("table"); },
-                        [&](At<std::vector<double>>) { return "list of " + name + "s"; },
-                        [](At<std::vector<ViscosityPoint>>) { return std::string("table"); },
-                    },
-                    row.binding);
+  return std::visit(
+      Overload{
+          [&](At<double>) { return std::string(name); },
+          [&](At<std::optional<double>>) { return std::string(name); },
+          [](At<int>) { return std::string("whole number"); },
+          [](At<std::optional<int>>) { return std::string("whole number"); },
+          [](At<std::string>) { return std::string("text"); },
+          [](At<std::filesystem::path>) { return std::string("path"); },
+          [&](At<Vec2>) { return "two " + name + "s"; },
+          [&](At<std::optional<Vec2>>) { return "one or two " + name + (name.ends_with("s") ? "es" : "s"); },
+          [&](At<Vec3>) { return "three " + name + "s"; },
+          [&](At<std::optional<Vec3>>) { return "three " + name + "s"; },
+          [](const Words& words) { return fmt::format("{}", fmt::join(words.names, ", ")); },
+          [&](const MotionAmount&) { return std::string(name); },
+          [](const MotionTable&) { return std::string("table"); },
+          [&](At<std::vector<double>>) { return "list of " + name + "s"; },
+          [](At<std::vector<ViscosityPoint>>) { return std::string("table"); },
+          [](At<std::vector<BendingPoint>>) { return std::string("table"); },
+      },
+      row.binding);
 }
 
 std::string label(const Row& row, const Target& target)

@@ -167,6 +167,46 @@ struct Reading {
     return numbers;
   }
 
+  /// One value for both of a pair, or a list of two.
+  [[nodiscard]] std::optional<Vec2> one_or_two(const Value& value) const
+  {
+    if (value.kind != Kind::list) {
+      const auto both = real(value, row.dimension);
+      return both ? std::optional(Vec2{*both, *both}) : std::nullopt;
+    }
+    if (value.items.size() != 2) {
+      const std::string one = example(row.dimension);
+      must_be(value, fmt::format("{}, such as {} or [{}, {}]", type_of(row), one, one, one));
+      return {};
+    }
+    const auto first = real(value.items[0], row.dimension), second = real(value.items[1], row.dimension);
+    return first && second ? std::optional(Vec2{*first, *second}) : std::nullopt;
+  }
+
+  [[nodiscard]] std::vector<BendingPoint> bending_points(const Value& table) const
+  {
+    std::vector<BendingPoint> points;
+    if (table.kind != Kind::list || table.items.empty()) {
+      must_be(table, "a list of points, such as [[\"10 1/m\", \"15 mN\"], [\"50 1/m\", \"30 mN\"]]");
+      return points;
+    }
+    for (const Value& item : table.items) {
+      if (item.kind != Kind::list || item.items.size() != 2) {
+        must_be(item, "a point [curvature, moment per width]");
+        continue;
+      }
+      const auto curvature = real(item.items[0], Dimension::curvature);
+      const auto moment = real(item.items[1], row.dimension);
+      if (!curvature || !moment) continue;
+      if (!points.empty() && *curvature <= points.back().curvature)
+        wrong(item.items[0], "must be a greater curvature than the point before it");
+      else if (!points.empty() && *moment < points.back().moment)
+        wrong(item.items[1], "must not be a smaller moment than the point before it");
+      points.push_back({*curvature, *moment});
+    }
+    return points;
+  }
+
   [[nodiscard]] std::vector<ViscosityPoint> viscosity_points(const Value& table) const
   {
     std::vector<ViscosityPoint> points;
@@ -234,6 +274,9 @@ void set_key(const Row& row, const Value& value, Target& target, std::vector<Inp
                  [&](At<Vec2> at) {
                    if (const auto n = reading.reals<2>(value)) at(target) = {(*n)[0], (*n)[1]};
                  },
+                 [&](At<std::optional<Vec2>> at) {
+                   if (const auto pair = reading.one_or_two(value)) at(target) = *pair;
+                 },
                  [&](At<Vec3> at) {
                    if (const auto n = reading.reals<3>(value)) at(target) = {(*n)[0], (*n)[1], (*n)[2]};
                  },
@@ -248,6 +291,7 @@ void set_key(const Row& row, const Value& value, Target& target, std::vector<Inp
                  [&](const MotionTable&) { reading.motion_table(value); },
                  [&](At<std::vector<double>> at) { at(target) = reading.real_list(value); },
                  [&](At<std::vector<ViscosityPoint>> at) { at(target) = reading.viscosity_points(value); },
+                 [&](At<std::vector<BendingPoint>> at) { at(target) = reading.bending_points(value); },
              },
              row.binding);
 }

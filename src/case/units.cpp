@@ -72,6 +72,19 @@ constexpr std::array units{
     Unit{D::density, "g/cm3", 1e3, 1, 0, false},
     Unit{D::molar_energy, "J/mol", 1},
     Unit{D::molar_energy, "kJ/mol", 1e3},
+    Unit{D::bending_stiffness, "N m", 1},
+    Unit{D::bending_stiffness, "mN m", 1, 1e3},
+    Unit{D::bending_stiffness, "N mm", 1, 1e3},
+    Unit{D::bending_stiffness, "mN mm", 1, 1e6},
+    Unit{D::bending_stiffness, "Nm", 1, 1, 0, false},
+    Unit{D::bending_stiffness, "mNm", 1, 1e3, 0, false},
+    Unit{D::bending_stiffness, "Nmm", 1, 1e3, 0, false},
+    Unit{D::curvature, "1/m", 1},
+    Unit{D::curvature, "1/mm", 1e3},
+    Unit{D::acceleration, "m/s^2", 1},
+    Unit{D::acceleration, "m/s2", 1},
+    Unit{D::acceleration, "mm/s^2", 1, 1e3},
+    Unit{D::acceleration, "mm/s2", 1, 1e3, 0, false},
     Unit{D::frequency, "1/s", 1},
 };
 
@@ -166,6 +179,12 @@ std::string dimension_name(Dimension dimension)
     return "density";
   case D::molar_energy:
     return "molar energy";
+  case D::bending_stiffness:
+    return "bending stiffness";
+  case D::curvature:
+    return "curvature";
+  case D::acceleration:
+    return "acceleration";
   case D::frequency:
     return "frequency";
   }

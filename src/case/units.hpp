@@ -18,6 +18,9 @@ enum class Dimension {
   mass,
   density,
   molar_energy,
+  bending_stiffness,
+  curvature,
+  acceleration,
   frequency,
 };
 

@@ -74,11 +74,13 @@ SurfacePoint ToolSurface::with_side(const Vec3& p, int facet, const FacetPoint& 
   return result;
 }
 
-SurfacePoint ToolSurface::nearest(const Vec3& p, int hint) const
+SurfacePoint ToolSurface::nearest(const Vec3& p, int hint, double bound) const
 {
-  double bound = std::numeric_limits<double>::max();
-  if (hint >= 0) bound = std::sqrt(nearest_on_facet(tree_.corners(hint), p).distance_squared) * (1.0 + 1e-12);
+  if (hint >= 0)
+    bound =
+        std::min(bound, std::sqrt(nearest_on_facet(tree_.corners(hint), p).distance_squared) * (1.0 + 1e-12));
   const int facet = tree_.nearest(p, std::min(bound, 1e100));
+  if (facet < 0) return {};
   return with_side(p, facet, nearest_on_facet(tree_.corners(facet), p));
 }
 

@@ -3,6 +3,7 @@
 #include "contact/facet_tree.hpp"
 #include "contact/near_facet.hpp"
 #include "towform/surface_mesh.hpp"
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,8 +27,10 @@ public:
   [[nodiscard]] const SurfaceMesh& mesh() const { return mesh_; }
   [[nodiscard]] const FacetTree& tree() const { return tree_; }
 
-  /// Nearest point among all facets; `hint` (a facet, or -1) only makes it faster.
-  [[nodiscard]] SurfacePoint nearest(const Vec3& p, int hint = -1) const;
+  /// Nearest point among all facets; `hint` (a facet, or -1) only makes it faster. Without a facet when none
+  /// is within `bound` [m].
+  [[nodiscard]] SurfacePoint nearest(const Vec3& p, int hint = -1,
+                                     double bound = std::numeric_limits<double>::max()) const;
   /// Nearest point among some facets (not empty) that come in the order of their distance from a point
   /// `moved` away from p; of equally near ones the lowest number, as in `nearest`.
   [[nodiscard]] SurfacePoint nearest_of(const Vec3& p, std::span<const NearFacet> facets, double moved) const;

@@ -16,15 +16,15 @@ std::array<YarnPair, 3> corner_gradients(const YarnGradients& g)
 /// Larger eigenvalue of [[a, c], [c, b]].
 double largest(double a, double b, double c) { return 0.5 * (a + b) + std::hypot(0.5 * (a - b), c); }
 
-double step_of(double omega_squared, double damping_time)
+double largest(const std::vector<double>& v)
 {
-  const double omega = std::sqrt(omega_squared), xi = 0.5 * damping_time * omega;
-  return 2.0 / omega * (std::sqrt(1.0 + xi * xi) - xi);
+  return v.empty() ? 0.0 : *std::max_element(v.begin(), v.end());
 }
 
 } // namespace
 
-StepBound::StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus)
+StepBound::StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus,
+                     std::span<const Bending> bending)
     : membrane_(membrane), element_mass_(element_mass.begin(), element_mass.end()),
       shear_modulus_(shear_modulus)
 {
@@ -46,6 +46,26 @@ StepBound::StepBound(const Membrane& membrane, std::span<const double> element_m
       for (int c = 0; c < 3; ++c) share[3 * e + c] /= sum;
     }
   }
+  if (bending.empty()) return;
+  std::vector<double> mass(nodes, 0.0);
+  for (std::size_t e = 0; e < element_mass.size(); ++e)
+    for (const int n : membrane.triangles[e]) mass[n] += element_mass[e] / 3.0;
+  bending_.assign(nodes, 0.0);
+  for (const Bending& b : bending) {
+    const std::vector<double> bound = b.frequency_bound(mass);
+    for (std::size_t n = 0; n < nodes; ++n) bending_[n] += bound[n];
+    bending_damping_time_ = std::max(bending_damping_time_, b.damping_time);
+  }
+}
+
+double StepBound::step_of(double in_plane, double of_bending) const
+{
+  const double omega_squared = in_plane + of_bending, omega = std::sqrt(omega_squared);
+  double damping_time = membrane_.damping_time;
+  if (of_bending > 0.0)
+    damping_time = (damping_time * in_plane + bending_damping_time_ * of_bending) / omega_squared;
+  const double xi = 0.5 * damping_time * omega;
+  return 2.0 / omega * (std::sqrt(1.0 + xi * xi) - xi);
 }
 
 StepBound::Sums StepBound::patch_sums(std::size_t n, std::span<const double> share) const
@@ -122,28 +142,35 @@ StepBound::Frequencies StepBound::frequencies(const State& s) const
 StableStep StepBound::at(const State& s) const
 {
   const Frequencies f = frequencies(s);
-  const auto patch = std::max_element(f.patch.begin(), f.patch.end());
-  const auto element = std::max_element(f.element.begin(), f.element.end());
-  const int of_patch = membrane_.corners.of(static_cast<std::size_t>(patch - f.patch.begin())).front() / 3;
-  return {step_of(*patch + *element, membrane_.damping_time),
-          *patch > *element ? of_patch : static_cast<int>(element - f.element.begin())};
+  const double patch = largest(f.patch), element = largest(f.element), bending = largest(bending_);
+  const auto place = [](const std::vector<double>& v) {
+    return static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
+  };
+  const auto at_node = [&](std::size_t n) { return membrane_.corners.of(n).front() / 3; };
+  int limiting = static_cast<int>(place(f.element));
+  if (patch > element) limiting = at_node(place(f.patch));
+  if (bending > std::max(patch, element)) limiting = at_node(place(bending_));
+  return {step_of(patch + element, bending), limiting};
 }
 
 std::vector<double> StepBound::mass_factors(const State& s, double wanted) const
 {
   const Frequencies f = frequencies(s);
-  const double worst_element = *std::max_element(f.element.begin(), f.element.end());
-  const double worst_patch = *std::max_element(f.patch.begin(), f.patch.end());
-  // Share the allowed square between patches and elements as they stand, then raise whoever is above its
-  // share.
+  const double element = largest(f.element), patch = largest(f.patch), bending = largest(bending_);
+  const double sum = patch + element + bending;
+  // Share the allowed square between patches, elements and bending as they stand, then raise whoever is above
+  // its share.
   double allowed = 4.0 / (wanted * wanted);
-  while (step_of(allowed, membrane_.damping_time) < wanted) allowed *= 0.999;
-  const double patch_limit = allowed * worst_patch / (worst_patch + worst_element);
-  const double element_limit = allowed * worst_element / (worst_patch + worst_element);
+  while (step_of(allowed * ((patch + element) / sum), allowed * (bending / sum)) < wanted) allowed *= 0.999;
+  const double patch_limit = allowed * patch / sum, element_limit = allowed * element / sum;
+  const double bending_limit = allowed * bending / sum;
   std::vector<double> factor(element_mass_.size(), 1.0);
   for (std::size_t e = 0; e < factor.size(); ++e) {
     factor[e] = std::max(1.0, f.element[e] / element_limit);
-    for (const int n : membrane_.triangles[e]) factor[e] = std::max(factor[e], f.patch[n] / patch_limit);
+    for (const int n : membrane_.triangles[e]) {
+      factor[e] = std::max(factor[e], f.patch[n] / patch_limit);
+      if (bending > 0.0) factor[e] = std::max(factor[e], bending_[n] / bending_limit);
+    }
   }
   return factor;
 }

@@ -23,6 +23,7 @@ constexpr Field table[] = {
     {"position", "m", node, 3, float64, values_of<&Frame::position>},
     {"velocity", "m/s", node, 3, float32, values_of<&Frame::velocity>},
     {"contact_pressure", "Pa", node, 1, float32, values_of<&Frame::contact_pressure>},
+    {"clearance", "m", node, 1, float32, values_of<&Frame::clearance>, true},
     {"shear_angle", "deg", element, 1, float32, values_of<&Frame::shear_angle>},
     {"shear_rate", "rad/s", element, 1, float32, values_of<&Frame::shear_rate>},
     {"curve_index", "1", element, 1, int32, values_of<&Frame::curve_index>},
@@ -31,6 +32,7 @@ constexpr Field table[] = {
     {"fibre_1", "1", element, 3, float32, values_of<&Frame::fibre_1>},
     {"fibre_2", "1", element, 3, float32, values_of<&Frame::fibre_2>},
     {"fibre_strain", "1", element, 2, float32, values_of<&Frame::fibre_strain>},
+    {"curvature", "1/m", element, 2, float32, values_of<&Frame::curvature>},
     {"thickness", "m", element, 1, float32, values_of<&Frame::thickness>},
     {"temperature", "K", element, 1, float32, values_of<&Frame::temperature>},
 };

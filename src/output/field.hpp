@@ -21,6 +21,7 @@ struct Field {
   int components;
   Number stored; ///< in the file; in memory it is double, or int32 when stored so
   Values (*values)(const Frame&);
+  bool optional = false; ///< left out of frames that have no rows of it
 };
 
 /// Every field of a frame, `position` first.

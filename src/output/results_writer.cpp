@@ -80,6 +80,7 @@ std::size_t frame_bytes(const Frame& frame, std::size_t nodes, std::size_t eleme
   std::size_t bytes = header_bytes;
   for (const Field& field : fields()) {
     const std::size_t rows = field.values(frame).rows;
+    if (field.optional && rows == 0) continue;
     const std::size_t expected = field.centre == Field::Centre::node ? nodes : elements;
     if (rows != expected)
       throw std::invalid_argument(
@@ -94,6 +95,7 @@ void write_fields(hid_t group, const Frame& frame)
 {
   for (const Field& field : fields()) {
     const Field::Values values = field.values(frame);
+    if (field.optional && values.rows == 0) continue;
     hdf5::Shape shape{values.rows};
     if (field.components > 1) shape.push_back(static_cast<hsize_t>(field.components));
     const hid_t memory = field.stored == Field::Number::int32 ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE;
@@ -122,6 +124,9 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const
 
 void ResultsWriter::append(const Frame& frame)
 {
+  if (times_.empty()) clearance_ = !frame.clearance.empty();
+  if (clearance_ == frame.clearance.empty())
+    throw std::invalid_argument("frame: clearance in some frames only");
   const fs::path path = results_path(directory_);
   reserve_space(path, frame_bytes(frame, nodes_, elements_));
   hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
@@ -148,7 +153,7 @@ void ResultsWriter::finish(const std::string& status)
 
 void ResultsWriter::write_xdmf() const
 {
-  replace_file(directory_ / "results.xdmf", xdmf_text(times_, nodes_, elements_));
+  replace_file(directory_ / "results.xdmf", xdmf_text(times_, nodes_, elements_, clearance_));
 }
 
 } // namespace towform

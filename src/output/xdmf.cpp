@@ -36,7 +36,7 @@ std::string attribute(const std::string& name, Field::Centre centre, int compone
                      name, attribute_type(components), centre == Field::Centre::node ? "Node" : "Cell", item);
 }
 
-std::string grid(std::size_t frame, double time, std::size_t nodes, std::size_t elements)
+std::string grid(std::size_t frame, double time, std::size_t nodes, std::size_t elements, bool with_optional)
 {
   const std::string group = fmt::format("/frames/{:04}/", frame);
   std::string text =
@@ -49,6 +49,7 @@ std::string grid(std::size_t frame, double time, std::size_t nodes, std::size_t 
   text += attribute("reference", Field::Centre::node, 3,
                     data_item("/mesh/reference", nodes, 3, Field::Number::float64));
   for (const Field& field : fields().subspan(1)) { // position is the geometry
+    if (field.optional && !with_optional) continue;
     const std::size_t rows = field.centre == Field::Centre::node ? nodes : elements;
     text += attribute(field.name, field.centre, field.components,
                       data_item(group + field.name, rows, field.components, field.stored));
@@ -58,11 +59,12 @@ std::string grid(std::size_t frame, double time, std::size_t nodes, std::size_t 
 
 } // namespace
 
-std::string xdmf_text(std::span<const double> times, std::size_t nodes, std::size_t elements)
+std::string xdmf_text(std::span<const double> times, std::size_t nodes, std::size_t elements,
+                      bool with_optional)
 {
   std::string text = "<?xml version=\"1.0\" ?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n"
                      "    <Grid Name=\"frames\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (std::size_t i = 0; i < times.size(); ++i) text += grid(i, times[i], nodes, elements);
+  for (std::size_t i = 0; i < times.size(); ++i) text += grid(i, times[i], nodes, elements, with_optional);
   return text + "    </Grid>\n  </Domain>\n</Xdmf>\n";
 }
 

@@ -28,13 +28,19 @@ Energies energy_account(const Model& model, const System& s)
   e.shear_dissipated = sum(s.sheet.shear_dissipated);
   e.shear_elastic = sum(s.sheet.shear_work) - e.shear_dissipated;
   e.damping = sum(s.sheet.yarn_damping) + sum(s.sheet.mass_damping);
+  for (std::size_t i = 0; i < s.bending.size(); ++i) {
+    e.bending += bending_energy(model.bending[i], s.bending[i]);
+    e.bending_damping += sum(s.bending[i].damping);
+  }
+  for (const Gravity& gravity : model.gravity)
+    e.external += gravity.work(model.blank.mesh.points, s.sheet.position);
   for (const ContactState& c : s.contacts) {
     e.contact += c.energies.elastic;
     e.friction += c.energies.friction;
     e.damping += c.energies.damping;
   }
-  for (double* part : {&e.kinetic, &e.yarn, &e.shear_elastic, &e.shear_dissipated, &e.contact, &e.friction,
-                       &e.damping, &e.external})
+  for (double* part : {&e.kinetic, &e.yarn, &e.shear_elastic, &e.shear_dissipated, &e.bending,
+                       &e.bending_damping, &e.contact, &e.friction, &e.damping, &e.external})
     *part *= model.mirror_factor;
   for (std::size_t i = 0; i < s.tools.size(); ++i) {
     const Tool& tool = model.tools[i];
@@ -53,6 +59,8 @@ std::vector<std::pair<std::string, double>> listed(const Energies& e)
           {"yarn", e.yarn},
           {"shear_elastic", e.shear_elastic},
           {"shear_dissipated", e.shear_dissipated},
+          {"bending", e.bending},
+          {"bending_damping", e.bending_damping},
           {"contact", e.contact},
           {"friction", e.friction},
           {"damping", e.damping},

@@ -1,4 +1,5 @@
 #include "solver/measure.hpp"
+#include "solver/clearance.hpp"
 #include <algorithm>
 #include <cmath>
 
@@ -48,6 +49,15 @@ std::vector<std::array<int, 2>> free_edges(const Blank& blank)
   return edges;
 }
 
+/// Of an element's corners the value that is largest in size.
+double sharpest(const std::vector<YarnPair>& of_node, const Triangle& t, double YarnPair::*family)
+{
+  double most = 0.0;
+  for (const int n : t)
+    if (std::abs(of_node[n].*family) > std::abs(most)) most = of_node[n].*family;
+  return most;
+}
+
 double percentile_99(std::vector<double> values)
 {
   const std::size_t rank = (values.size() * 99) / 100;
@@ -56,7 +66,7 @@ double percentile_99(std::vector<double> values)
 }
 } // namespace
 
-Frame make_frame(const Model& model, const System& s)
+Frame make_frame(const Model& model, const System& s, const CurvatureOperator& curvature)
 {
   const State& sheet = s.sheet;
   Frame f;
@@ -69,7 +79,11 @@ Frame make_frame(const Model& model, const System& s)
     for (const ContactState& c : s.contacts)
       f.contact_pressure[n] += c.normal_force[n] / model.membrane.node_area[n];
   }
+  f.clearance = clearances(model, s);
   sheet_fields(model, sheet, f);
+  const std::vector<YarnPair> of_node = curvature.at(sheet.position);
+  for (const Triangle& t : model.membrane.triangles)
+    f.curvature.push_back({sharpest(of_node, t, &YarnPair::warp), sharpest(of_node, t, &YarnPair::weft)});
   f.temperature.assign(model.membrane.triangles.size(), model.temperature);
   return f;
 }
@@ -113,19 +127,26 @@ DrawIn DrawInGauge::measure(const Blank& blank, const System& s) const
 FieldExtremes field_extremes(const System& s)
 {
   const std::size_t elements = s.sheet.shear.size();
-  std::vector<double> shear(elements), strain(elements);
+  std::vector<double> shear(elements), strain(elements), compression(elements);
   for (std::size_t e = 0; e < elements; ++e) {
     shear[e] = std::abs(s.sheet.shear[e].angle);
     strain[e] = std::max(std::abs(s.sheet.yarn_strain[e].warp), std::abs(s.sheet.yarn_strain[e].weft));
+    compression[e] = std::max({0.0, -s.sheet.yarn_strain[e].warp, -s.sheet.yarn_strain[e].weft});
   }
   FieldExtremes x;
   x.most_sheared = static_cast<int>(std::max_element(shear.begin(), shear.end()) - shear.begin());
   x.most_strained = static_cast<int>(std::max_element(strain.begin(), strain.end()) - strain.begin());
   x.shear_max = shear[x.most_sheared];
   x.strain_max = strain[x.most_strained];
-  x.strain_over_2_percent =
-      static_cast<double>(std::count_if(strain.begin(), strain.end(), [](double v) { return v > 0.02; })) /
-      static_cast<double>(elements);
+  const auto fraction_over = [&](const std::vector<double>& values, double limit) {
+    return static_cast<double>(
+               std::count_if(values.begin(), values.end(), [limit](double v) { return v > limit; })) /
+           static_cast<double>(elements);
+  };
+  x.strain_over_2_percent = fraction_over(strain, 0.02);
+  x.compression_max = *std::max_element(compression.begin(), compression.end());
+  x.compression_over_half_percent = fraction_over(compression, 0.005);
+  x.compression_p99 = percentile_99(std::move(compression));
   x.shear_p99 = percentile_99(std::move(shear));
   x.strain_p99 = percentile_99(std::move(strain));
   return x;

@@ -6,8 +6,9 @@
 
 namespace towform {
 
-/// The state of the sheet at t_n as a frame of the results.
-Frame make_frame(const Model& model, const System& s);
+/// The state of the sheet at t_n as a frame of the results. An element's curvature along a yarn family is
+/// that of its corners which is largest in size, so that folds as short as an element are seen.
+Frame make_frame(const Model& model, const System& s, const CurvatureOperator& curvature);
 
 /// How far the blank's outline has moved towards its middle in plan, means over the modelled sides [m]. The
 /// middle is that of the flat blank's bounding box (0 across a mirror plane). Six kinds of points of the
@@ -32,10 +33,12 @@ private:
 
 /// Extremes over the elements.
 struct FieldExtremes {
-  double shear_max = 0.0, shear_p99 = 0.0;   ///< |theta| [rad]
-  double strain_max = 0.0, strain_p99 = 0.0; ///< larger |strain| of an element's two yarn families
-  double strain_over_2_percent = 0.0;        ///< fraction of the elements
-  int most_sheared = 0, most_strained = 0;   ///< elements
+  double shear_max = 0.0, shear_p99 = 0.0;             ///< |theta| [rad]
+  double strain_max = 0.0, strain_p99 = 0.0;           ///< larger |strain| of an element's two yarn families
+  double strain_over_2_percent = 0.0;                  ///< fraction of the elements
+  double compression_max = 0.0, compression_p99 = 0.0; ///< larger shortening of an element's two families
+  double compression_over_half_percent = 0.0;          ///< fraction of the elements
+  int most_sheared = 0, most_strained = 0;             ///< elements
 };
 FieldExtremes field_extremes(const System& s);
 

@@ -62,8 +62,16 @@ void set_inertia(const Case& c, Model& model)
   // Room for two tools on a node: their springs and dashpots add 2 beta to (omega dt)^2 <= 4, and more with
   // damping.
   model.step_factor = c.time.safety * std::sqrt(1.0 - c.contact.penalty);
-  const auto bound = [&] { return StepBound(membrane, model.element_mass, model.shear_modulus); };
-  membrane.damping_time = c.material.yarn_damping * bound().at(sheet).step;
+  membrane.damping_time =
+      c.material.yarn_damping * StepBound(membrane, model.element_mass, model.shear_modulus).at(sheet).step;
+  for (Bending& bending : model.bending) {
+    const auto squares = bending.frequency_bound(lumped(membrane, model.element_mass, sheet.position.size()));
+    bending.damping_time =
+        c.material.bending_damping * 2.0 / std::sqrt(*std::max_element(squares.begin(), squares.end()));
+  }
+  const auto bound = [&] {
+    return StepBound(membrane, model.element_mass, model.shear_modulus, model.bending);
+  };
   if (c.time.step) {
     // Heavier elements change what their neighbours' patches are given: a few rounds reach the step.
     constexpr int most_rounds = 20;
@@ -109,6 +117,37 @@ auto input(const Case& c, const std::string& key, std::vector<InputIssue>& issue
   return std::nullopt;
 }
 
+/// Edges that grips hold: the sheet leaves them without a slope.
+std::vector<SymmetryLine> clamped_edges(const Case& c, const std::vector<Boundary>& boundaries)
+{
+  using Edge = BoundaryParameters::Edge;
+  std::vector<SymmetryLine> lines;
+  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+    const BoundaryParameters& p = c.boundaries[i];
+    if (p.kind != BoundaryParameters::Kind::grip) continue;
+    const bool upright = p.edge == Edge::left || p.edge == Edge::right;
+    lines.push_back({upright ? SymmetryLine::Across::x : SymmetryLine::Across::y, boundaries[i].nodes});
+  }
+  return lines;
+}
+
+Bending make_bending(const Case& c, const Model& model)
+{
+  const MaterialParameters& m = c.material;
+  const auto law = [&](double Vec2::*family) {
+    return m.bending_stiffness ? MomentLaw((*m.bending_stiffness).*family) : MomentLaw(m.bending_table);
+  };
+  return {model.blank, model.clamped, model.membrane.node_area, law(&Vec2::x), law(&Vec2::y)};
+}
+
+Gravity make_gravity(const Case& c, const Membrane& membrane)
+{
+  Gravity gravity;
+  const double per_area = c.material.constituents.density * c.blank.thickness;
+  for (const double area : membrane.node_area) gravity.weight.push_back((per_area * area) * c.load.gravity);
+  return gravity;
+}
+
 double mirror_factor(Symmetry symmetry)
 {
   return symmetry == Symmetry::none ? 1.0 : symmetry == Symmetry::quarter ? 4.0 : 2.0;
@@ -137,6 +176,12 @@ Model build_model(const Case& c)
   const YarnLaw yarn{c.material.fibre_modulus * c.blank.thickness, c.material.compression_factor};
   Membrane membrane(*blank, yarn, material->law);
   Model model(std::move(*blank), std::move(*material), std::move(membrane));
+  model.clamped = clamped_edges(c, boundaries);
+  if (c.material.has_bending())
+    if (auto bending = input(c, "blank", issues, [&] { return make_bending(c, model); }))
+      model.bending.push_back(std::move(*bending));
+  if (!issues.empty()) throw InputError(std::move(issues));
+  if (c.load.gravity != Vec3{}) model.gravity.push_back(make_gravity(c, model.membrane));
   model.tools = std::move(tools);
   model.boundaries = std::move(boundaries);
   model.temperature = c.material.temperature;
@@ -155,6 +200,9 @@ System start(const Model& model)
   s.sheet.force.assign(s.sheet.position.size(), {});
   s.sheet.mass_damping.assign(s.sheet.position.size(), 0.0);
   start(model.membrane, s.sheet);
+  s.bending.resize(model.bending.size());
+  for (std::size_t i = 0; i < model.bending.size(); ++i)
+    start(model.bending[i], s.sheet.position, s.bending[i]);
   s.tools.resize(model.tools.size());
   s.contacts.resize(model.contacts.size());
   for (std::size_t i = 0; i < model.contacts.size(); ++i)

@@ -1,7 +1,9 @@
 #pragma once
 #include "contact/contact.hpp"
+#include "element/bending.hpp"
 #include "element/membrane.hpp"
 #include "solver/boundary.hpp"
+#include "solver/gravity.hpp"
 #include "towform/blank.hpp"
 #include "towform/case.hpp"
 #include <vector>
@@ -13,6 +15,8 @@ struct Model {
   Blank blank;
   FabricMaterial material;
   Membrane membrane;
+  std::vector<Bending> bending;     ///< one, or none for a sheet that does not resist bending
+  std::vector<Gravity> gravity;     ///< one or none
   std::vector<double> element_mass; ///< m, with mass scaling [kg]
   std::vector<double> mass;         ///< n, lumped [kg]
   double added_mass_fraction = 0.0; ///< by mass scaling, over the sheet's own
@@ -25,6 +29,7 @@ struct Model {
   std::vector<Tool> tools;
   std::vector<Contact> contacts; ///< one a tool
   std::vector<Boundary> boundaries;
+  std::vector<SymmetryLine> clamped; ///< edges in grips
 
   Model(Blank b, FabricMaterial m, Membrane sheet)
       : blank(std::move(b)), material(std::move(m)), membrane(std::move(sheet))
@@ -35,6 +40,7 @@ struct Model {
 /// All that changes while it runs.
 struct System {
   State sheet;
+  std::vector<BendingState> bending;
   std::vector<ToolState> tools;
   std::vector<ContactState> contacts;
   std::vector<BoundaryState> boundaries;

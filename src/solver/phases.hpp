@@ -5,10 +5,10 @@
 
 namespace towform {
 
-enum class Phase { advance, membrane, assembly, contact, stable_step, output, count };
+enum class Phase { advance, membrane, assembly, bending, contact, stable_step, output, count };
 
 constexpr std::array<const char*, static_cast<std::size_t>(Phase::count)> phase_names{
-    "advance", "membrane", "assembly", "contact", "stable_step", "output"};
+    "advance", "membrane", "assembly", "bending", "contact", "stable_step", "output"};
 
 /// Wall time of each phase since the start [s].
 class Phases {

@@ -33,6 +33,7 @@ Recorder::Recorder(const Case& c, const Model& model, const std::filesystem::pat
       results_(std::make_unique<ResultsWriter>(directory, model.blank.mesh, provenance_of(c))),
       history_(std::make_unique<HistoryWriter>(directory / "history.csv", history_columns(model)))
 {
+  if (model.bending.empty()) own_curvature_.emplace(model.blank, model.clamped, 0);
   write_resolved_case(c, directory);
   summary_.elements = static_cast<std::int64_t>(model.membrane.triangles.size());
   summary_.nodes = static_cast<std::int64_t>(model.mass.size());
@@ -67,6 +68,9 @@ void Recorder::measure(const System& s)
   summary_.fibre_strain_max = extremes_.strain_max;
   summary_.fibre_strain_p99 = extremes_.strain_p99;
   summary_.fibre_strain_over_2_percent = extremes_.strain_over_2_percent;
+  summary_.fibre_compression_max = extremes_.compression_max;
+  summary_.fibre_compression_p99 = extremes_.compression_p99;
+  summary_.fibre_compression_over_half_percent = extremes_.compression_over_half_percent;
   summary_.draw_in_x_mid_mm = 1e3 * draw_in_.x_mid;
   summary_.draw_in_y_mid_mm = 1e3 * draw_in_.y_mid;
   summary_.draw_in_corner_mm = 1e3 * draw_in_.corner;
@@ -97,7 +101,8 @@ void Recorder::history(const System& s)
 
 void Recorder::frame(const System& s, Progress& progress)
 {
-  results_->append(make_frame(model_, s));
+  results_->append(
+      make_frame(model_, s, own_curvature_ ? *own_curvature_ : model_.bending.front().curvature));
   std::string forces;
   for (std::size_t i = 0; i < s.tools.size(); ++i)
     if (model_.tools[i].motion)

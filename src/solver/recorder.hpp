@@ -5,6 +5,7 @@
 #include "solver/progress.hpp"
 #include "towform/results.hpp"
 #include <memory>
+#include <optional>
 
 namespace towform {
 
@@ -35,6 +36,7 @@ private:
   DrawInGauge gauge_;
   std::unique_ptr<ResultsWriter> results_;
   std::unique_ptr<HistoryWriter> history_;
+  std::optional<CurvatureOperator> own_curvature_; ///< of a sheet that does not resist bending
   Summary summary_;
   Energies energies_;
   FieldExtremes extremes_;

@@ -66,6 +66,10 @@ std::string headline(const Case& c, const Model& model)
 /// Above this the sheet's inertia shapes the answer, as it does in a fast press: the user should know.
 constexpr double inertia_matters = 0.1;
 
+/// Above this fraction of the elements with yarns shortened by more than 0.5 % the answer hides wrinkles: a
+/// real yarn would have buckled at a fraction of that strain, where ours is merely softer.
+constexpr double compression_matters = 0.01;
+
 std::string closing(const Summary& s, const std::filesystem::path& directory)
 {
   std::string phases;
@@ -76,14 +80,20 @@ std::string closing(const Summary& s, const std::filesystem::path& directory)
         fmt::format("inertia matters: kinetic energy reached {:.0f} % of internal and dissipated energy in "
                     "the second half of the run\n",
                     100.0 * s.kinetic_to_internal_max);
+  std::string wrinkles;
+  if (s.fibre_compression_over_half_percent > compression_matters)
+    wrinkles = fmt::format("compression hides wrinkles: {:.1f} % of the elements shorten their yarns by more "
+                           "than 0.5 % (up to {:.1f} %), where a real sheet buckles; look at fibre_strain, "
+                           "curvature and clearance\n",
+                           100.0 * s.fibre_compression_over_half_percent, 100.0 * s.fibre_compression_max);
   return fmt::format(
       "{} in {:.2f} s: {} steps, {:.1f} ns per element-step (s:{})\n"
       "shear max {:.1f} deg, draw-in {:.1f} / {:.1f} / {:.1f} mm (x / y / corner), punch {:.1f} N, "
       "energy error {:.2f} %, penetration {:.3f} mm, yarn strain p99 {:.2f} %\n"
-      "{}wrote {}",
+      "{}{}wrote {}",
       s.status, s.wall_time_s, s.steps, s.ns_per_element_step, phases, s.shear_angle_max_deg,
       s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm, s.punch_force_max_N,
-      100.0 * s.energy_error, s.penetration_max_mm, 100.0 * s.fibre_strain_p99, inertia,
+      100.0 * s.energy_error, s.penetration_max_mm, 100.0 * s.fibre_strain_p99, inertia, wrinkles,
       (directory / "results.h5, results.xdmf, history.csv, summary.json, run.log").string());
 }
 
@@ -99,7 +109,7 @@ RunOutcome run(const Case& c, const RunOptions& options)
   Recorder recorder(c, model, options.directory);
   Progress progress(options.directory, options.quiet);
   System s = start(model);
-  const StepBound bound(model.membrane, model.element_mass, model.shear_modulus);
+  const StepBound bound(model.membrane, model.element_mass, model.shear_modulus, model.bending);
   Summary& summary = recorder.summary();
   summary.threads = threads();
   progress.line(headline(c, model));
@@ -153,6 +163,10 @@ std::string describe_run(const Case& c)
                       1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
                       100.0 * model.added_mass_fraction, direction(model.blank.warp),
                       direction(model.blank.weft), 100.0 * model.material.curves->fit_error);
+  for (const Bending& bending : model.bending)
+    text += fmt::format("bending stiffness {:.3g} / {:.3g} mN m (warp / weft{})\n",
+                        1e3 * bending.warp.stiffness(), 1e3 * bending.weft.stiffness(),
+                        c.material.bending_table.empty() ? "" : ", the table's steepest");
   for (const Tool& tool : model.tools) {
     const Vec3 low = tool.surface.lowest(), high = tool.surface.highest();
     const std::string drive =

@@ -95,6 +95,7 @@ Frame make_frame(const StaticsCase& problem, double temperature, const StaticsSt
       f.fibre_1.push_back(vec3(mean.f1));
       f.fibre_2.push_back(vec3(mean.f2));
       f.fibre_strain.push_back({mean.strain1, mean.strain2});
+      f.curvature.push_back({0.0, 0.0}); // the sheet stays flat
       f.thickness.push_back(mean.thickness);
       f.temperature.push_back(temperature);
     }
@@ -136,11 +137,12 @@ void StaticsRecorder::watch(const StaticsState& s, const NewtonReport& report)
 void StaticsRecorder::measure(const StaticsState& s)
 {
   const QuadrilateralMembrane& membrane = problem_.model.membrane;
-  std::vector<double> shear, strain;
+  std::vector<double> shear, strain, compression;
   for (std::size_t e = 0; e < membrane.elements.size(); ++e) {
     const ElementMean mean(membrane, s, e);
     shear.push_back(std::abs(mean.angle));
     strain.push_back(std::max(std::abs(mean.strain1), std::abs(mean.strain2)));
+    compression.push_back(std::max({0.0, -mean.strain1, -mean.strain2}));
   }
   const auto most = std::max_element(strain.begin(), strain.end());
   most_strained_ = static_cast<std::size_t>(most - strain.begin());
@@ -154,6 +156,12 @@ void StaticsRecorder::measure(const StaticsState& s)
   summary_.fibre_strain_over_2_percent =
       static_cast<double>(std::count_if(strain.begin(), strain.end(), [](double e) { return e > 0.02; })) /
       static_cast<double>(strain.size());
+  summary_.fibre_compression_max = *std::max_element(compression.begin(), compression.end());
+  summary_.fibre_compression_p99 = percentile_99(compression);
+  summary_.fibre_compression_over_half_percent =
+      static_cast<double>(
+          std::count_if(compression.begin(), compression.end(), [](double e) { return e > 0.005; })) /
+      static_cast<double>(compression.size());
   summary_.energy_error = energies_.error();
   summary_.energies_J = listed(energies_);
 }

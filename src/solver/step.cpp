@@ -54,6 +54,11 @@ void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
   phases.mark(Phase::membrane);
   assemble(model.membrane.corners, s.sheet.corner_force, s.sheet.force);
   phases.mark(Phase::assembly);
+  for (std::size_t i = 0; i < model.bending.size(); ++i) {
+    bending_forces(model.bending[i], s.bending[i], s.sheet, dt);
+    phases.mark(Phase::bending);
+  }
+  for (const Gravity& gravity : model.gravity) gravity.add(s.sheet.force);
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const Contact& contact = model.contacts[i];
     ToolState& tool = s.tools[contact.tool];

@@ -40,6 +40,7 @@ inline Frame frame(const SurfaceMesh& mesh, double stroke)
     const double pull = 1.0 - 0.12 * stroke * stroke * (1.0 + 0.5 * std::cos(4.0 * std::atan2(p.y, p.x)));
     f.position.push_back({pull * p.x, pull * p.y, bump});
     f.velocity.push_back({0.0, 0.0, bump / (end_time * std::max(stroke, 1e-3))});
+    f.clearance.push_back(2e-3 * (1.0 - r));
     f.contact_pressure.push_back(stroke * 2e4 * (r < 0.5 ? 1.0 - 2.0 * r : 0.0));
   }
   for (const Triangle& t : mesh.triangles) {
@@ -57,6 +58,7 @@ inline Frame frame(const SurfaceMesh& mesh, double stroke)
     f.fibre_1.push_back({1.0, 0.0, 0.0});
     f.fibre_2.push_back({std::sin(angle), std::cos(angle), 0.0});
     f.fibre_strain.push_back({1e-3 * stroke * centre.x / size, -2e-3 * stroke * centre.y / size});
+    f.curvature.push_back({10.0 * stroke * std::cos(r), -5.0 * stroke * r});
     f.thickness.push_back(1e-3 / std::cos(angle));
     f.temperature.push_back(463.15);
   }

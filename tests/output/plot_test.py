@@ -73,6 +73,7 @@ class Plot(unittest.TestCase):
         clipped = self.draw("--field", "fibre_strain.1", "--range=-1,1")
         self.assertGreater(np.abs(whole - other).max(), 0.1)
         self.assertGreater(np.abs(whole - clipped).max(), 0.1)
+        self.assertGreater(np.abs(self.draw("--field", "curvature.1") - self.draw("--field", "clearance")).max(), 0.1)
 
     def test_history(self):
         pixels = self.draw("--history")
@@ -84,7 +85,7 @@ class Plot(unittest.TestCase):
 
     def test_wrong_arguments(self):
         results = RESULTS / "results.h5"
-        self.refuse(2, "no field shear; there are contact_pressure, curve_index,", results, "--field", "shear")
+        self.refuse(2, "no field shear; there are clearance, contact_pressure, curvature,", results, "--field", "shear")
         self.refuse(2, "fibre_strain has no component z", results, "--field", "fibre_strain.z")
         self.refuse(2, "shear_angle is a scalar", results, "--field", "shear_angle.x")
         self.refuse(2, "frame 6 is out of range: there are 6, 0 to 5", results, "--frame", "6")
@@ -115,7 +116,7 @@ class Plot(unittest.TestCase):
         for step in steps:
             names = [attribute.get("Name") for attribute in step.findall("Attribute")]
             self.assertEqual(len(names), len(set(names)))
-            self.assertEqual(len(names), 13)
+            self.assertEqual(len(names), 15)
 
 
 unittest.main(argv=sys.argv[:1])

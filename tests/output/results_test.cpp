@@ -46,7 +46,7 @@ TEST_F(Results, HoldEveryFieldOfAFrameWithItsUnits)
       {"shear_angle", {"deg", {32}}},  {"shear_rate", {"rad/s", {32}}},  {"curve_index", {"1", {32}}},
       {"curve_position", {"1", {32}}}, {"shear_force", {"N/m", {32}}},   {"fibre_1", {"1", {32, 3}}},
       {"fibre_2", {"1", {32, 3}}},     {"fibre_strain", {"1", {32, 2}}}, {"thickness", {"m", {32}}},
-      {"temperature", {"K", {32}}},
+      {"temperature", {"K", {32}}},    {"clearance", {"m", {25}}},       {"curvature", {"1/m", {32, 2}}},
   };
   ResultsWriter writer(directory, mesh, dome::provenance());
   writer.append(dome::frame(mesh, 0.5));
@@ -75,11 +75,13 @@ TEST_F(Results, KeepPositionsToTheBitAndTheRestToSevenDigits)
     frame.fibre_2[i] = {8 * x, 9 * x, 10 * x};
     frame.fibre_strain[i] = {11 * x, 12 * x};
     frame.thickness[i] = 13 * x;
+    frame.curvature[i] = {19 * x, 20 * x};
     frame.temperature[i] = 14 * x;
   }
   for (std::size_t i = 0; i < 25; ++i) {
     frame.velocity[i] = {15.1, 16.1, 17.1 + static_cast<double>(i)};
     frame.contact_pressure[i] = 18.1 + static_cast<double>(i);
+    frame.clearance[i] = 21.1 + static_cast<double>(i);
   }
   ResultsWriter writer(directory, mesh, dome::provenance());
   writer.append(frame);
@@ -105,6 +107,9 @@ TEST_F(Results, KeepPositionsToTheBitAndTheRestToSevenDigits)
   EXPECT_EQ(value("temperature", 31), single(14 * x));
   EXPECT_EQ(value("velocity", 3 * 24 + 2), single(41.1));
   EXPECT_EQ(value("contact_pressure", 24), single(42.1));
+  EXPECT_EQ(value("clearance", 24), single(45.1));
+  EXPECT_EQ(value("curvature", 2 * 31), single(19 * x));
+  EXPECT_EQ(value("curvature", 2 * 31 + 1), single(20 * x));
 }
 
 TEST_F(Results, TakeNoMoreThanTheirNumbersAndALittle)
@@ -113,7 +118,7 @@ TEST_F(Results, TakeNoMoreThanTheirNumbersAndALittle)
   ResultsWriter writer(directory, mesh, dome::provenance());
   for (int i = 0; i < 5; ++i) writer.append(dome::frame(mesh, 0.25 * i));
   writer.finish("done");
-  const auto numbers = mesh.points.size() * (24 + 12 + 4) + mesh.triangles.size() * (7 * 4 + 24 + 8);
+  const auto numbers = mesh.points.size() * (24 + 12 + 8) + mesh.triangles.size() * (7 * 4 + 24 + 16);
   const auto frame_size = std::filesystem::file_size(directory / "results.h5") / 5;
   EXPECT_LT(frame_size, numbers + 40'000); // the mesh, shared by the five frames, and headers
 }

@@ -32,6 +32,9 @@ Summary numbered()
   s.fibre_strain_max = 14.5;
   s.fibre_strain_p99 = 15.5;
   s.fibre_strain_over_2_percent = 16.5;
+  s.fibre_compression_max = 24.5;
+  s.fibre_compression_p99 = 25.5;
+  s.fibre_compression_over_half_percent = 26.5;
   s.draw_in_x_mid_mm = 17.5;
   s.draw_in_y_mid_mm = 18.5;
   s.draw_in_corner_mm = 19.5;
@@ -69,6 +72,9 @@ TEST_F(SummaryFile, HasEveryFigureUnderItsName)
   "fibre_strain_max": 14.5,
   "fibre_strain_p99": 15.5,
   "fibre_strain_over_2_percent": 16.5,
+  "fibre_compression_max": 24.5,
+  "fibre_compression_p99": 25.5,
+  "fibre_compression_over_half_percent": 26.5,
   "draw_in_mm": {
     "x_mid": 17.5,
     "y_mid": 18.5,

@@ -41,7 +41,7 @@ TEST_F(Xdmf, NamesDatasetsThatExistWithTheirShapes)
   writer.append(dome::frame(mesh, 1.0));
   const std::string xdmf = text_of(directory / "results.xdmf");
   const std::vector<std::string> items = all_between(xdmf, "<DataItem", "</DataItem>");
-  EXPECT_EQ(items.size(), 2U * 15U); // triangles, reference and 13 fields in each frame
+  EXPECT_EQ(items.size(), 2U * 17U); // triangles, reference and 15 fields in each frame
   const hdf5::File file = open();
   for (const std::string& item : items) {
     const hdf5::Dataset dataset = hdf5::open_dataset(file.id(), item.substr(item.find("results.h5:") + 11));
@@ -52,6 +52,19 @@ TEST_F(Xdmf, NamesDatasetsThatExistWithTheirShapes)
     EXPECT_EQ(contains(item, " NumberType=\"Int\""), H5Tget_class(type.id()) == H5T_INTEGER) << item;
   }
   EXPECT_TRUE(contains(xdmf, "results.h5:/frames/0001/position<"));
+}
+
+TEST_F(Xdmf, LeavesOutTheClearanceOfASheetWithoutTools)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  Frame frame = dome::frame(mesh, 0.0);
+  frame.clearance.clear();
+  writer.append(frame);
+  EXPECT_FALSE(contains(text_of(directory / "results.xdmf"), "clearance"));
+  EXPECT_TRUE(contains(text_of(directory / "results.xdmf"), "curvature"));
+  const hdf5::File file = open();
+  EXPECT_EQ(hdf5::link_names(hdf5::open_group(file.id(), "frames/0000").id()).size(), 14U);
+  EXPECT_THROW(writer.append(dome::frame(mesh, 1.0)), std::invalid_argument); // in all frames, or in none
 }
 
 } // namespace towform

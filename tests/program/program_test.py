@@ -42,12 +42,14 @@ PUNCH_LINE, TABLE_LINE = 11, 15  # of their mesh keys
 
 HISTORY = ["time_s", "step", "dt_s", "force_punch_N", "force_table_N", "position_punch_m", "position_table_m",
            "energy_error"]
-ENERGIES = ["kinetic", "yarn", "shear_elastic", "shear_dissipated", "contact", "friction", "damping", "external"]
+ENERGIES = ["kinetic", "yarn", "shear_elastic", "shear_dissipated", "bending", "bending_damping", "contact", "friction", "damping", "external"]
 SUMMARY = ["status", "elements", "nodes", "steps", "simulated_time_s", "wall_time_s", "threads", "ns_per_element_step",
            "energy_error", "kinetic_to_internal_max", "shear_angle_max_deg", "shear_angle_p99_deg", "fibre_strain_max",
+           "fibre_compression_max", "fibre_compression_p99",
            "draw_in_mm", "punch_force_max_N", "penetration_max_mm", "added_mass_fraction", "phases_s"]
 # name: columns, per node or element, units
 FIELDS = {"position": (3, "node", "m"), "velocity": (3, "node", "m/s"), "contact_pressure": (0, "node", "Pa"),
+          "clearance": (0, "node", "m"), "curvature": (2, "element", "1/m"),
           "shear_angle": (0, "element", "deg"), "shear_rate": (0, "element", "rad/s"),
           "curve_index": (0, "element", "1"), "curve_position": (0, "element", "1"),
           "shear_force": (0, "element", "N/m"), "fibre_1": (3, "element", "1"), "fibre_2": (3, "element", "1"),

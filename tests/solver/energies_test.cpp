@@ -14,7 +14,9 @@ TEST(Energies, ErrorIsWhatTheAccountFailsToExplainOverTheExternalWork)
   e.shear_elastic = 0.5;
   e.shear_dissipated = 4.0;
   e.contact = 0.25;
-  e.friction = 1.25;
+  e.friction = 0.75;
+  e.bending = 0.3;
+  e.bending_damping = 0.2;
   e.damping = 1.0;
   EXPECT_DOUBLE_EQ(e.internal(), 9.0);
   EXPECT_DOUBLE_EQ(e.error(), 0.0);
@@ -36,9 +38,9 @@ TEST(Energies, ErrorCannotHideBehindWorkGivenBack)
 
 TEST(Energies, AreListedInTheOrderOfTheHistory)
 {
-  const Energies e{1, 2, 3, 4, 5, 6, 7, 8};
+  const Energies e{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
   const auto list = listed(e);
-  ASSERT_EQ(list.size(), 8U);
+  ASSERT_EQ(list.size(), 10U);
   for (std::size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list[i].second, static_cast<double>(i + 1));
   EXPECT_EQ(list.front().first, "kinetic");
   EXPECT_EQ(list.back().first, "external");

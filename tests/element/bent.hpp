@@ -1,0 +1,58 @@
+#pragma once
+#include "element/bending.hpp"
+#include "element/sheet.hpp"
+#include <vector>
+
+namespace towform::test {
+
+inline std::vector<double> node_areas(const Blank& blank)
+{
+  std::vector<double> area(blank.mesh.points.size(), 0.0);
+  for (const auto& [a, b, c] : blank.mesh.triangles) {
+    const double twice =
+        cross(blank.mesh.points[b] - blank.mesh.points[a], blank.mesh.points[c] - blank.mesh.points[a]).z;
+    for (const int n : {a, b, c}) area[n] += twice / 6.0;
+  }
+  return area;
+}
+
+inline Bending bending_of(const Blank& blank, double warp, double weft,
+                          const std::vector<SymmetryLine>& clamped = {})
+{
+  return {blank, clamped, node_areas(blank), MomentLaw(warp), MomentLaw(weft)};
+}
+
+/// Elastic forces and energy at given positions.
+struct Bent {
+  std::vector<Vec3> force;
+  BendingState state;
+  double energy = 0.0;
+
+  Bent(const Bending& bending, const std::vector<Vec3>& position)
+  {
+    State s;
+    s.position = position;
+    s.force.assign(position.size(), {});
+    start(bending, position, state);
+    bending_forces(bending, state, s, 1.0);
+    force = s.force;
+    energy = bending_energy(bending, state);
+  }
+};
+
+/// A point of the flat sheet rolled onto a cylinder of radius R whose axis is turned by `angle` from y.
+inline Vec3 rolled(const Vec3& p, double radius, double angle)
+{
+  const Vec3 e{std::cos(angle), std::sin(angle), 0.0}, axis{-e.y, e.x, 0.0};
+  const double turn = dot(p, e) / radius;
+  return radius * std::sin(turn) * e + dot(p, axis) * axis + Vec3{0.0, 0.0, radius * (1.0 - std::cos(turn))};
+}
+
+inline std::vector<Vec3> rolled(const Blank& blank, double radius, double angle)
+{
+  std::vector<Vec3> x;
+  for (const Vec3& p : blank.mesh.points) x.push_back(rolled(p, radius, angle));
+  return x;
+}
+
+} // namespace towform::test
