@@ -14,6 +14,11 @@ enum class LawKind { viscous, incremental, elastic };
 /// Which curve the incremental law follows.
 enum class CurveSelection { next_higher, interpolate };
 
+/// What strain an element's yarns answer to: the mean of the strip of yarn they belong to, or the element's
+/// own (the plain constant-strain triangle, exact where the mesh follows the yarns; elsewhere it locks).
+/// Automatic: its own where every triangle has an edge along each yarn.
+enum class YarnStrain { automatic, strip, triangle };
+
 /// A point of a moment-curvature table.
 struct BendingPoint {
   double curvature = 0.0; ///< [1/m], > 0
@@ -40,7 +45,9 @@ struct MaterialParameters {
   double fibre_modulus = 0.0;      ///< E of a yarn family over the sheet's whole thickness [Pa]
   double compression_factor = 0.0; ///< yarn stiffness in compression over that in tension
   double yarn_damping = 0.0;       ///< fraction of critical, in the yarn direction
-  double relaxation_ratio = 0.0;   ///< Maxwell modulus G over yarn stiffness E h (viscous law)
+  YarnStrain yarn_strain = YarnStrain::automatic;
+  double strip_stiffness = 0.0;  ///< spring between a triangle and its strip over the sheet's shear force
+  double relaxation_ratio = 0.0; ///< Maxwell modulus G over yarn stiffness E h (viscous law)
   /// B of warp (x) and weft (y), moment per width over the yarn's curvature [N m]; none: no bending.
   std::optional<Vec2> bending_stiffness;
   std::vector<BendingPoint> bending_table; ///< of both families, in place of the stiffness; or empty

@@ -17,28 +17,10 @@ CornersOfNode::CornersOfNode(std::span<const Triangle> triangles, std::size_t no
   for (const int s : slot) element.push_back(s / 3);
 }
 
-namespace {
-/// Marks nodes of mirror planes across which warp becomes weft (yarns at 45 degrees to the plane).
-std::vector<char> nodes_that_exchange_yarns(const Blank& blank)
-{
-  std::vector<char> marks;
-  const auto mark = [&](const Vec3& mirror, const std::vector<int>& nodes) {
-    const Vec3 reflected = blank.warp - (2.0 * dot(blank.warp, mirror)) * mirror;
-    if (std::abs(dot(reflected, blank.weft)) < 0.5) return;
-    marks.resize(blank.mesh.points.size(), 0);
-    for (const int n : nodes) marks[n] = 1;
-  };
-  if (!blank.mirror_x.empty()) mark({1, 0, 0}, blank.mirror_x);
-  if (!blank.mirror_y.empty()) mark({0, 1, 0}, blank.mirror_y);
-  return marks;
-}
-} // namespace
-
-Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law)
+Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law, YarnStrain yarn_strain)
     : triangles(blank.mesh.triangles), node_area(blank.mesh.points.size(), 0.0),
-      corners(triangles, blank.mesh.points.size()), exchanging(nodes_that_exchange_yarns(blank)),
-      reference_sine(dot(blank.warp, blank.weft)), thickness(blank.thickness), yarn(yarn_law),
-      law(std::move(fabric_law))
+      corners(triangles, blank.mesh.points.size()), reference_sine(dot(blank.warp, blank.weft)),
+      thickness(blank.thickness), yarn(yarn_law), law(std::move(fabric_law))
 {
   gradients.reserve(triangles.size());
   area.reserve(triangles.size());
@@ -53,32 +35,34 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
     area.push_back(0.5 * twice);
     for (const int node : {a, b, c}) node_area[node] += twice / 6.0;
   }
+  const bool own =
+      yarn_strain == YarnStrain::triangle || (yarn_strain == YarnStrain::automatic && follows_yarns(blank));
+  strips = own ? strips_of_one(area) : lay_strips(blank, area);
 }
 
 double Membrane::yarn_energy(const State& s) const
 {
   double sum = 0.0;
-  for (std::size_t n = 0; n < node_area.size(); ++n)
-    sum += (1.0 - own_strain_share) * node_area[n] *
-           (yarn.energy(s.node_strain[n].warp) + yarn.energy(s.node_strain[n].weft));
-  for (std::size_t e = 0; e < area.size(); ++e)
-    sum += own_strain_share * area[e] *
-           (yarn.energy(s.yarn_strain[e].warp) + yarn.energy(s.yarn_strain[e].weft));
+  for (std::size_t i = 0; i < strips.size(); ++i) sum += strips.area[i] * yarn.energy(s.strip_strain[i]);
+  for (std::size_t i = 0; i < strips.of.size(); ++i) {
+    const double apart = s.yarn_strain[i] - s.strip_strain[strips.of[i]];
+    sum += 0.5 * own_stiffness * area[i / 2] * apart * apart;
+  }
   return sum;
 }
 
 void start(const Membrane& membrane, State& s)
 {
-  const std::size_t n = s.position.size(), m = membrane.triangles.size();
-  s.node_strain.assign(n, {});
-  s.node_tension.assign(n, {});
-  s.yarn_strain.assign(m, {});
+  const std::size_t m = membrane.triangles.size();
+  s.strip_strain.assign(membrane.strips.size(), 0.0);
+  s.strip_tension.assign(membrane.strips.size(), 0.0);
+  s.yarn_strain.assign(2 * m, 0.0);
   s.sine.assign(m, membrane.reference_sine);
   s.shear.assign(m, {});
   s.corner_force.assign(3 * m, {});
   s.shear_work.assign(m, 0.0);
   s.shear_dissipated.assign(m, 0.0);
-  s.yarn_damping.assign(n, 0.0);
+  s.yarn_damping.assign(membrane.strips.size(), 0.0);
 }
 
 namespace {
@@ -87,32 +71,23 @@ void element_strains(const Membrane& membrane, State& s, std::ptrdiff_t begin, s
 {
   for (std::ptrdiff_t e = begin; e < end; ++e) {
     const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
-    s.yarn_strain[e] = {y.lambda1 - 1.0, y.lambda2 - 1.0};
+    s.yarn_strain[2 * e] = y.lambda1 - 1.0;
+    s.yarn_strain[2 * e + 1] = y.lambda2 - 1.0;
   }
 }
 
-void node_tensions(const Membrane& membrane, State& s, double dt, std::ptrdiff_t begin, std::ptrdiff_t end)
+void strip_tensions(const Membrane& membrane, State& s, double dt, std::ptrdiff_t begin, std::ptrdiff_t end)
 {
   const YarnLaw yarn = membrane.yarn;
-  const double viscosity = yarn.stiffness * membrane.damping_time;
-  for (std::ptrdiff_t n = begin; n < end; ++n) {
-    YarnPair mean;
-    for (const int e : membrane.corners.elements_of(n)) {
-      mean.warp += membrane.area[e] * s.yarn_strain[e].warp;
-      mean.weft += membrane.area[e] * s.yarn_strain[e].weft;
-    }
-    const double scale = 1.0 / (3.0 * membrane.node_area[n]);
-    mean = {mean.warp * scale, mean.weft * scale};
-    // The elements beyond such a mirror bring the other family.
-    if (!membrane.exchanging.empty() && membrane.exchanging[n])
-      mean.warp = mean.weft = 0.5 * (mean.warp + mean.weft);
-    const YarnPair change = {mean.warp - s.node_strain[n].warp, mean.weft - s.node_strain[n].weft};
-    const double rate_factor = viscosity / dt;
-    s.node_tension[n] = {yarn.tension(mean.warp) + rate_factor * change.warp,
-                         yarn.tension(mean.weft) + rate_factor * change.weft};
-    s.yarn_damping[n] += (1.0 - membrane.own_strain_share) * membrane.node_area[n] * rate_factor *
-                         (change.warp * change.warp + change.weft * change.weft);
-    s.node_strain[n] = mean;
+  const double damping = yarn.stiffness * membrane.damping_time / dt;
+  for (std::ptrdiff_t i = begin; i < end; ++i) {
+    double sum = 0.0;
+    for (const YarnEntry entry : membrane.strips.entries_of(i))
+      sum += membrane.area[entry / 2] * s.yarn_strain[entry];
+    const double area = membrane.strips.area[i], mean = sum / area, change = mean - s.strip_strain[i];
+    s.strip_tension[i] = yarn.tension(mean) + damping * change;
+    s.yarn_damping[i] += area * damping * change * change;
+    s.strip_strain[i] = mean;
   }
 }
 
@@ -120,7 +95,10 @@ template <class Law>
 void element_forces(const Membrane& membrane, const Law& law, State& s, double dt, std::ptrdiff_t begin,
                     std::ptrdiff_t end)
 {
-  const double own = membrane.own_strain_share, shared = (1.0 - own) / 3.0;
+  const auto tension = [&, spring = membrane.own_stiffness](YarnEntry entry) {
+    const int strip = membrane.strips.of[entry];
+    return s.strip_tension[strip] + spring * (s.yarn_strain[entry] - s.strip_strain[strip]);
+  };
   const double reference_angle = std::asin(membrane.reference_sine);
   for (std::ptrdiff_t e = begin; e < end; ++e) {
     const Triangle& t = membrane.triangles[e];
@@ -136,11 +114,8 @@ void element_forces(const Membrane& membrane, const Law& law, State& s, double d
     s.shear_dissipated[e] += area * lost * dt * std::sqrt(1.0 - sine * sine);
     s.sine[e] = sine;
 
-    const YarnPair &t0 = s.node_tension[t[0]], &t1 = s.node_tension[t[1]], &t2 = s.node_tension[t[2]];
-    const double tension_1 =
-        shared * (t0.warp + t1.warp + t2.warp) + own * membrane.yarn.tension(s.yarn_strain[e].warp);
-    const double tension_2 =
-        shared * (t0.weft + t1.weft + t2.weft) + own * membrane.yarn.tension(s.yarn_strain[e].weft);
+    const auto warp = static_cast<YarnEntry>(2 * e);
+    const double tension_1 = tension(warp), tension_2 = tension(warp + 1);
     const double n1 = p.force / y.lambda1, n2 = p.force / y.lambda2;
     const Vec3 p1 = area * ((tension_1 - n1 * sine) * y.f1 + n1 * y.f2); // P . f01 times area
     const Vec3 p2 = area * ((tension_2 - n2 * sine) * y.f2 + n2 * y.f1);
@@ -155,10 +130,10 @@ void element_forces(const Membrane& membrane, const Law& law, State& s, double d
 
 void membrane_forces(const Membrane& membrane, State& s, double dt)
 {
-  const auto nodes = static_cast<std::ptrdiff_t>(s.position.size());
+  const auto strips = static_cast<std::ptrdiff_t>(membrane.strips.size());
   const auto elements = static_cast<std::ptrdiff_t>(membrane.triangles.size());
   parallel_ranges(elements, [&](auto begin, auto end) { element_strains(membrane, s, begin, end); });
-  parallel_ranges(nodes, [&](auto begin, auto end) { node_tensions(membrane, s, dt, begin, end); });
+  parallel_ranges(strips, [&](auto begin, auto end) { strip_tensions(membrane, s, dt, begin, end); });
   std::visit(
       [&](const auto& law) {
         parallel_ranges(elements,

@@ -1,5 +1,6 @@
 #pragma once
 #include "element/yarn.hpp"
+#include "element/yarn_strips.hpp"
 #include "material/fabric_law.hpp"
 #include "towform/blank.hpp"
 #include "towform/state.hpp"
@@ -52,27 +53,27 @@ struct CornersOfNode {
 /// Membrane triangles of one ply, one integration point each, total Lagrangian: first Piola-Kirchhoff
 /// resultant
 ///   P = T1 f1 x f01 + T2 f2 x f02 + N [(f2 - s f1) x f01/lambda1 + (f1 - s f2) x f02/lambda2]   [N/m]
-/// (physics: from the surface to a stress). Yarn strains are averaged over the elements round each node,
-/// weighted by area: a constant-strain triangle locks where its edges cross stiff yarns. The energy is
-///   sum_n A_n w(mean strain of n) (1 - alpha) + sum_e A_e w(strain of e) alpha,
-/// so that forces are its exact derivative; alpha, `own_strain_share`, holds down the strain patterns whose
-/// nodal means vanish. alpha = 1 is the plain triangle.
+/// (physics: from the surface to a stress). A constant-strain triangle locks where its edges cross stiff
+/// yarns, so there yarns answer to the mean strain of their strip (element/yarn_strips.hpp), weighted by
+/// area, and a soft spring K, `own_stiffness`, holds single triangles to their strip. The energy is
+///   sum over strips A w(mean) + sum over entries A K (own - mean)^2 / 2,
+/// so that forces are its exact derivative.
 struct Membrane {
   std::vector<Triangle> triangles;      ///< m
   std::vector<YarnGradients> gradients; ///< m
   std::vector<double> area;             ///< m, reference [m^2]
   std::vector<double> node_area;        ///< n, a third of the elements round a node [m^2]
   CornersOfNode corners;
-  std::vector<char>
-      exchanging; ///< n, on a mirror that maps warp to weft: both families share one strain; or empty
+  YarnStrips strips;
   double reference_sine = 0.0; ///< f01 . f02
   double thickness = 0.0;      ///< [m]
   YarnLaw yarn;
-  double damping_time = 0.0; ///< yarn damping: T += k damping_time d(strain)/dt [s]
-  double own_strain_share = 0.1;
+  double damping_time = 0.0;  ///< yarn damping: T += k damping_time d(strain)/dt [s]
+  double own_stiffness = 0.0; ///< K [N/m]
   FabricLaw law;
 
-  Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law);
+  Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law,
+           YarnStrain yarn_strain = YarnStrain::automatic);
 
   /// Elastic energy of all yarns at the state's strains [J].
   [[nodiscard]] double yarn_energy(const State& s) const;

@@ -7,7 +7,7 @@ namespace towform {
 
 namespace {
 
-/// Gradients of an element's corners along warp and weft.
+/// Gradients of an element's corners along warp and weft [1/m].
 std::array<YarnPair, 3> corner_gradients(const YarnGradients& g)
 {
   return {{{-g.warp_1 - g.warp_2, -g.weft_1 - g.weft_2}, {g.warp_1, g.weft_1}, {g.warp_2, g.weft_2}}};
@@ -28,33 +28,70 @@ StepBound::StepBound(const Membrane& membrane, std::span<const double> element_m
     : membrane_(membrane), element_mass_(element_mass.begin(), element_mass.end()),
       shear_modulus_(shear_modulus)
 {
-  // First with equal shares of every element's mass for its three patches, then in proportion to their need.
-  const std::size_t nodes = membrane.node_area.size();
-  std::vector<double> share(3 * element_mass.size(), 1.0 / 3.0), need(nodes);
-  patch_.resize(nodes);
-  constexpr int rounds = 4;
-  for (int round = 0; round < rounds; ++round) {
-    for (std::size_t n = 0; n < nodes; ++n) {
-      patch_[n] = patch_sums(n, share);
-      need[n] = patch_frequency(n, membrane.reference_sine);
-    }
-    if (round == rounds - 1) break;
-    for (std::size_t e = 0; e < element_mass.size(); ++e) {
-      const Triangle& t = membrane.triangles[e];
-      double sum = 0.0;
-      for (int c = 0; c < 3; ++c) sum += share[3 * e + c] *= need[t[c]];
-      for (int c = 0; c < 3; ++c) share[3 * e + c] /= sum;
-    }
-  }
+  find_parts();
+  share_masses();
   if (bending.empty()) return;
+  const std::size_t nodes = membrane.node_area.size();
   std::vector<double> mass(nodes, 0.0);
-  for (std::size_t e = 0; e < element_mass.size(); ++e)
-    for (const int n : membrane.triangles[e]) mass[n] += element_mass[e] / 3.0;
+  for (std::size_t e = 0; e < element_mass_.size(); ++e)
+    for (const int n : membrane.triangles[e]) mass[n] += element_mass_[e] / 3.0;
   bending_.assign(nodes, 0.0);
   for (const Bending& b : bending) {
     const std::vector<double> bound = b.frequency_bound(mass);
     for (std::size_t n = 0; n < nodes; ++n) bending_[n] += bound[n];
     bending_damping_time_ = std::max(bending_damping_time_, b.damping_time);
+  }
+}
+
+void StepBound::find_parts()
+{
+  first_.push_back(0);
+  for (std::size_t i = 0; i < membrane_.strips.size(); ++i) {
+    const auto begin = static_cast<std::ptrdiff_t>(parts_.size());
+    for (const YarnEntry entry : membrane_.strips.entries_of(i)) {
+      const int e = entry / 2, family = entry % 2;
+      const auto gradients = corner_gradients(membrane_.gradients[e]);
+      const double weight = membrane_.area[e] / membrane_.strips.area[i];
+      for (int c = 0; c < 3; ++c) {
+        const int component = 2 * membrane_.triangles[e][c] + family;
+        const double gradient = weight * (family == 0 ? gradients[c].warp : gradients[c].weft);
+        const auto same = std::find_if(parts_.begin() + begin, parts_.end(),
+                                       [component](const Part& p) { return p.component == component; });
+        if (same == parts_.end())
+          parts_.push_back({component, gradient});
+        else
+          same->gradient += gradient;
+      }
+    }
+    first_.push_back(static_cast<int>(parts_.size()));
+  }
+}
+
+/// Divides every node's mass in proportion to the strips' need, which follows from the division: a few
+/// rounds.
+void StepBound::share_masses()
+{
+  const std::size_t strips = membrane_.strips.size();
+  std::vector<double> mass(2 * membrane_.node_area.size(), 0.0), claims(mass.size());
+  for (std::size_t e = 0; e < element_mass_.size(); ++e)
+    for (const int n : membrane_.triangles[e])
+      for (int family = 0; family < 2; ++family) mass[2 * n + family] += element_mass_[e] / 3.0;
+  std::vector<double> weight(strips, 1.0);
+  strip_frequency_.resize(strips);
+  constexpr int rounds = 6;
+  for (int round = 0; round < rounds; ++round) {
+    std::fill(claims.begin(), claims.end(), 0.0);
+    for (std::size_t i = 0; i < strips; ++i)
+      for (const Part& p : parts_of(i)) claims[p.component] += weight[i] * std::abs(p.gradient);
+    for (std::size_t i = 0; i < strips; ++i) {
+      double sum = 0.0; // of gradient^2 over the share of mass, weight |gradient| / claims of it
+      for (const Part& p : parts_of(i))
+        sum += std::abs(p.gradient) * claims[p.component] / (weight[i] * mass[p.component]);
+      strip_frequency_[i] = membrane_.yarn.stiffness * membrane_.strips.area[i] * sum;
+    }
+    for (std::size_t i = 0; i < strips; ++i) weight[i] *= std::sqrt(strip_frequency_[i]);
+    const double largest_weight = *std::max_element(weight.begin(), weight.end());
+    for (double& w : weight) w /= largest_weight;
   }
 }
 
@@ -68,44 +105,7 @@ double StepBound::step_of(double in_plane, double of_bending) const
   return 2.0 / omega * (std::sqrt(1.0 + xi * xi) - xi);
 }
 
-StepBound::Sums StepBound::patch_sums(std::size_t n, std::span<const double> share) const
-{
-  struct Row {
-    int node;
-    double warp, weft, mass;
-  };
-  std::vector<Row> rows; // a handful of nodes: linear search
-  for (const int slot : membrane_.corners.of(n)) {
-    const int e = slot / 3;
-    const auto gradients = corner_gradients(membrane_.gradients[e]);
-    const double weight = membrane_.area[e] / (3.0 * membrane_.node_area[n]);
-    for (int c = 0; c < 3; ++c) {
-      const int node = membrane_.triangles[e][c];
-      auto row = std::find_if(rows.begin(), rows.end(), [node](const Row& r) { return r.node == node; });
-      if (row == rows.end()) row = rows.insert(rows.end(), Row{node, 0.0, 0.0, 0.0});
-      row->warp += weight * gradients[c].warp;
-      row->weft += weight * gradients[c].weft;
-      row->mass += share[slot] * element_mass_[e] / 3.0;
-    }
-  }
-  Sums sums;
-  for (const Row& r : rows) {
-    sums.warp += r.warp * r.warp / r.mass;
-    sums.weft += r.weft * r.weft / r.mass;
-    sums.both += r.warp * r.weft / r.mass;
-  }
-  return sums;
-}
-
-/// omega^2 of the averaged yarn strains round a node.
-double StepBound::patch_frequency(std::size_t n, double sine) const
-{
-  const double stiffness =
-      membrane_.yarn.stiffness * (1.0 - membrane_.own_strain_share) * membrane_.node_area[n];
-  return stiffness * largest(patch_[n].warp, patch_[n].weft, patch_[n].both * sine);
-}
-
-/// omega^2 of an element's own yarn strains and shear, bounded by the sum of both.
+/// omega^2 of an element's own springs and shear, bounded by the sum of both.
 double StepBound::element_frequency(const State& s, std::size_t e) const
 {
   const YarnVectors y(membrane_.triangles[e], membrane_.gradients[e], s.position);
@@ -116,8 +116,7 @@ double StepBound::element_frequency(const State& s, std::size_t e) const
     both += g.warp * g.weft;
   }
   const double sine = dot(y.f1, y.f2), cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
-  const double yarns =
-      membrane_.own_strain_share * membrane_.yarn.stiffness * largest(warp, weft, both * sine);
+  const double yarns = membrane_.own_stiffness * largest(warp, weft, both * sine);
   const double shear = shear_modulus_ * cosine *
                        (warp / (y.lambda1 * y.lambda1) + weft / (y.lambda2 * y.lambda2) -
                         2.0 * sine * both / (y.lambda1 * y.lambda2));
@@ -126,14 +125,15 @@ double StepBound::element_frequency(const State& s, std::size_t e) const
 
 StepBound::Frequencies StepBound::frequencies(const State& s) const
 {
-  Frequencies f{std::vector<double>(patch_.size()), std::vector<double>(element_mass_.size())};
-  for (std::size_t n = 0; n < f.patch.size(); ++n) {
-    double sine = 0.0; // the largest around the node: the two families add most where they are least square
-    for (const int slot : membrane_.corners.of(n)) {
-      const double of_element = s.sine.empty() ? membrane_.reference_sine : s.sine[slot / 3];
-      if (std::abs(of_element) > std::abs(sine)) sine = of_element;
-    }
-    f.patch[n] = patch_frequency(n, sine);
+  Frequencies f{strip_frequency_, std::vector<double>(element_mass_.size())};
+  std::vector<double> steepest(membrane_.node_area.size(),
+                               std::abs(membrane_.reference_sine)); // |sine| round a node
+  for (std::size_t e = 0; e < s.sine.size(); ++e)
+    for (const int n : membrane_.triangles[e]) steepest[n] = std::max(steepest[n], std::abs(s.sine[e]));
+  for (std::size_t i = 0; i < f.strip.size(); ++i) {
+    double sine = 0.0;
+    for (const Part& p : parts_of(i)) sine = std::max(sine, steepest[p.component / 2]);
+    f.strip[i] *= 1.0 + sine;
   }
   for (std::size_t e = 0; e < f.element.size(); ++e) f.element[e] = element_frequency(s, e);
   return f;
@@ -142,33 +142,36 @@ StepBound::Frequencies StepBound::frequencies(const State& s) const
 StableStep StepBound::at(const State& s) const
 {
   const Frequencies f = frequencies(s);
-  const double patch = largest(f.patch), element = largest(f.element), bending = largest(bending_);
+  const double strip = largest(f.strip), element = largest(f.element), bending = largest(bending_);
   const auto place = [](const std::vector<double>& v) {
     return static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
   };
-  const auto at_node = [&](std::size_t n) { return membrane_.corners.of(n).front() / 3; };
   int limiting = static_cast<int>(place(f.element));
-  if (patch > element) limiting = at_node(place(f.patch));
-  if (bending > std::max(patch, element)) limiting = at_node(place(bending_));
-  return {step_of(patch + element, bending), limiting};
+  if (strip > element) limiting = membrane_.strips.entries_of(place(f.strip)).front() / 2;
+  if (bending > std::max(strip, element)) limiting = membrane_.corners.of(place(bending_)).front() / 3;
+  return {step_of(strip + element, bending), limiting};
 }
 
 std::vector<double> StepBound::mass_factors(const State& s, double wanted) const
 {
   const Frequencies f = frequencies(s);
-  const double element = largest(f.element), patch = largest(f.patch), bending = largest(bending_);
-  const double sum = patch + element + bending;
-  // Share the allowed square between patches, elements and bending as they stand, then raise whoever is above
+  const double element = largest(f.element), strip = largest(f.strip), bending = largest(bending_);
+  const double sum = strip + element + bending;
+  // Share the allowed square between strips, elements and bending as they stand, then raise whoever is above
   // its share.
   double allowed = 4.0 / (wanted * wanted);
-  while (step_of(allowed * ((patch + element) / sum), allowed * (bending / sum)) < wanted) allowed *= 0.999;
-  const double patch_limit = allowed * patch / sum, element_limit = allowed * element / sum;
+  while (step_of(allowed * ((strip + element) / sum), allowed * (bending / sum)) < wanted) allowed *= 0.999;
+  const double strip_limit = allowed * strip / sum, element_limit = allowed * element / sum;
   const double bending_limit = allowed * bending / sum;
-  std::vector<double> factor(element_mass_.size(), 1.0);
+  std::vector<double> node(membrane_.node_area.size(), 1.0);
+  for (std::size_t i = 0; i < f.strip.size(); ++i)
+    for (const Part& p : parts_of(i))
+      node[p.component / 2] = std::max(node[p.component / 2], f.strip[i] / strip_limit);
+  std::vector<double> factor(element_mass_.size());
   for (std::size_t e = 0; e < factor.size(); ++e) {
     factor[e] = std::max(1.0, f.element[e] / element_limit);
     for (const int n : membrane_.triangles[e]) {
-      factor[e] = std::max(factor[e], f.patch[n] / patch_limit);
+      factor[e] = std::max(factor[e], node[n]);
       if (bending > 0.0) factor[e] = std::max(factor[e], bending_[n] / bending_limit);
     }
   }

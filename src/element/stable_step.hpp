@@ -11,13 +11,15 @@ struct StableStep {
   int element = 0;   ///< one of the elements whose yarns or shear set the limit
 };
 
-/// Stable steps of central differences on a sheet, without contact. The stiffness is a sum over patches
-/// (averaged yarns: the elements round a node; own strains and shear: one element); each patch is compared
-/// with the share of the elements' lumped mass it is given, and the largest frequency of the whole is at most
-/// the sum of the patches' largest squares. Patches at the blank's edge, being stiffer, are given more of the
-/// mass. Yarn directions are taken as equal over a patch. Damping lowers the step to 2/omega (sqrt(1 +
-/// xi^2) - xi). Bending adds its own bound (Bending::frequency_bound), that of the flat sheet: what its
-/// moments add as the sheet turns is of the order of curvature times element, and left out.
+/// Stable steps of central differences on a sheet, without contact. The stiffness is a sum over patches:
+/// strips of yarn, and single elements (their springs and shear). A strip is a rank-one matrix k A g g^T over
+/// the yarn components of its nodes' displacements; each node's mass is divided among the strips of either
+/// family that meet in it, and the largest frequency of all strips together is at most the largest of them
+/// alone against its share. The two yarn components of a displacement at an angle share it, at most (1 + |sin
+/// theta|) each. Elements are bounded likewise, and the two bounds of omega^2 are added. Yarn directions are
+/// taken as equal over a patch. Damping lowers the step to 2/omega (sqrt(1 + xi^2) - xi).
+/// Bending adds its own bound (Bending::frequency_bound), that of the flat sheet: what its moments add as the
+/// sheet turns is of the order of curvature times element, and left out.
 class StepBound {
 public:
   /// `element_mass` [kg]; `shear_modulus` bounds dN/dtheta [N/m]. The membrane must outlive the bound.
@@ -32,15 +34,20 @@ public:
   [[nodiscard]] std::vector<double> mass_factors(const State& s, double wanted) const;
 
 private:
-  struct Sums { ///< over the nodes of a patch, of products of its gradients, over their share of mass [1/(m^2
-                ///< kg)]
-    double warp = 0.0, weft = 0.0, both = 0.0;
+  /// What a strip's mean strain sees of a node: its displacement along one of the yarns.
+  struct Part {
+    int component;   ///< 2 node + family
+    double gradient; ///< of the mean strain [1/m]
   };
   struct Frequencies {
-    std::vector<double> patch, element; ///< omega^2 [1/s^2]
+    std::vector<double> strip, element; ///< omega^2 [1/s^2]
   };
-  [[nodiscard]] Sums patch_sums(std::size_t node, std::span<const double> share) const;
-  [[nodiscard]] double patch_frequency(std::size_t node, double sine) const;
+  void find_parts();
+  void share_masses();
+  [[nodiscard]] std::span<const Part> parts_of(std::size_t strip) const
+  {
+    return {parts_.data() + first_[strip], parts_.data() + first_[strip + 1]};
+  }
   [[nodiscard]] double element_frequency(const State& s, std::size_t element) const;
   [[nodiscard]] Frequencies frequencies(const State& s) const;
   [[nodiscard]] double step_of(double in_plane, double of_bending) const;
@@ -48,8 +55,10 @@ private:
   const Membrane& membrane_;
   std::vector<double> element_mass_;
   double shear_modulus_;
-  std::vector<Sums> patch_;
-  std::vector<double> bending_; ///< n, omega^2 [1/s^2]; empty without bending
+  std::vector<Part> parts_; // by strip
+  std::vector<int> first_;
+  std::vector<double> strip_frequency_; // omega^2 of a strip of square yarns [1/s^2]
+  std::vector<double> bending_;         ///< n, omega^2 [1/s^2]; empty without bending
   double bending_damping_time_ = 0.0;
 };
 

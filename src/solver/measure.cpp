@@ -31,7 +31,8 @@ void sheet_fields(const Model& model, const State& s, Frame& f)
     const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
     f.fibre_1.push_back(y.f1);
     f.fibre_2.push_back(y.f2);
-    f.fibre_strain.push_back({y.lambda1 - 1.0, y.lambda2 - 1.0});
+    const std::vector<int>& strip = membrane.strips.of;
+    f.fibre_strain.push_back({s.strip_strain[strip[2 * e]], s.strip_strain[strip[2 * e + 1]]});
     f.thickness.push_back(membrane.thickness * reference_cosine /
                           (y.lambda1 * y.lambda2 * std::sqrt(1.0 - s.sine[e] * s.sine[e])));
   }
@@ -124,14 +125,16 @@ DrawIn DrawInGauge::measure(const Blank& blank, const System& s) const
   return {mean(x_mid_, 1.0, 0.0), mean(y_mid_, 0.0, 1.0), mean(corner_, 1.0, 1.0)};
 }
 
-FieldExtremes field_extremes(const System& s)
+FieldExtremes field_extremes(const Membrane& membrane, const System& s)
 {
+  const std::vector<int>& strip = membrane.strips.of;
   const std::size_t elements = s.sheet.shear.size();
   std::vector<double> shear(elements), strain(elements), compression(elements);
   for (std::size_t e = 0; e < elements; ++e) {
     shear[e] = std::abs(s.sheet.shear[e].angle);
-    strain[e] = std::max(std::abs(s.sheet.yarn_strain[e].warp), std::abs(s.sheet.yarn_strain[e].weft));
-    compression[e] = std::max({0.0, -s.sheet.yarn_strain[e].warp, -s.sheet.yarn_strain[e].weft});
+    const double warp = s.sheet.strip_strain[strip[2 * e]], weft = s.sheet.strip_strain[strip[2 * e + 1]];
+    strain[e] = std::max(std::abs(warp), std::abs(weft));
+    compression[e] = std::max({0.0, -warp, -weft});
   }
   FieldExtremes x;
   x.most_sheared = static_cast<int>(std::max_element(shear.begin(), shear.end()) - shear.begin());

@@ -40,6 +40,6 @@ struct FieldExtremes {
   double compression_over_half_percent = 0.0;          ///< fraction of the elements
   int most_sheared = 0, most_strained = 0;             ///< elements
 };
-FieldExtremes field_extremes(const System& s);
+FieldExtremes field_extremes(const Membrane& membrane, const System& s);
 
 } // namespace towform

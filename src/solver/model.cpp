@@ -101,6 +101,16 @@ void set_inertia(const Case& c, Model& model)
   }
 }
 
+/// The spring that holds a triangle's yarn strain to its strip's [N/m]: of the order of what shears the
+/// sheet, within limits for a sheet that resists almost not or almost like its yarns.
+double strip_spring(const Case& c, const ShearTable& surface, const YarnLaw& yarn)
+{
+  constexpr double least_share = 1e-4, most_share = 0.1;
+  const double typical_force = surface.force(0.25 * M_PI, 1.0 / c.time.end);
+  return std::clamp(c.material.strip_stiffness * typical_force, least_share * yarn.stiffness,
+                    most_share * yarn.stiffness);
+}
+
 template <class Make>
 auto input(const Case& c, const std::string& key, std::vector<InputIssue>& issues, Make make)
     -> std::optional<decltype(make())>
@@ -174,7 +184,8 @@ Model build_model(const Case& c)
   if (!issues.empty()) throw InputError(std::move(issues));
 
   const YarnLaw yarn{c.material.fibre_modulus * c.blank.thickness, c.material.compression_factor};
-  Membrane membrane(*blank, yarn, material->law);
+  Membrane membrane(*blank, yarn, material->law, c.material.yarn_strain);
+  membrane.own_stiffness = strip_spring(c, *material->surface, yarn);
   Model model(std::move(*blank), std::move(*material), std::move(membrane));
   model.clamped = clamped_edges(c, boundaries);
   if (c.material.has_bending())

@@ -55,7 +55,7 @@ void Recorder::watch(const System& s, double dt)
 void Recorder::measure(const System& s)
 {
   energies_ = energy_account(model_, s);
-  extremes_ = field_extremes(s);
+  extremes_ = field_extremes(model_.membrane, s);
   draw_in_ = gauge_.measure(model_.blank, s);
   summary_.steps = s.sheet.step;
   summary_.simulated_time_s = s.sheet.time;

@@ -23,6 +23,7 @@ inline Case bare_sheet()
   c.material.curve_rate_max = 20.0;
   c.material.elastic_rate = 10.0;
   c.material.fibre_modulus = 1e9;
+  c.material.strip_stiffness = 1e9; // with hardly any shear force to hold triangles to their strips: the most
   c.material.compression_factor = 1.0;
   c.material.yarn_damping = 0.0;
   c.material.relaxation_ratio = 0.1;

@@ -57,7 +57,9 @@ double energy_drift(double factor, double across, int periods)
 
 TEST(FreeSheet, KeepsItsEnergyWhileItVibrates)
 {
-  const double worst = energy_drift(1.0, 0.0, 60);
+  // Near the stable limit the account is a small difference of large numbers; well below it the drift is that
+  // of strains of 0.2 % in a law that is linear in the stretch.
+  const double worst = energy_drift(0.75, 0.0, 60);
   EXPECT_LT(worst, 1e-4);
   EXPECT_GT(worst, 0.0); // it is not frozen
 }
@@ -89,14 +91,16 @@ double longitudinal_frequency(int elements)
       sum += model.mass[n] * mode(n) * (s.sheet.position[n].x - model.blank.mesh.points[n].x);
     return sum;
   };
-  test::step_on(model, s, model.first_step, 1);
+  // At the stable limit errors of space and time cancel on such a grid: a small step leaves those of space.
+  const double dt = 0.2 * model.first_step;
+  test::step_on(model, s, dt, 1);
   constexpr int periods = 10;
   double last = amplitude(), first_crossing = 0.0, crossing = 0.0;
   for (int crossings = 0; crossings <= 2 * periods;) {
-    test::step_on(model, s, model.first_step, 1);
+    test::step_on(model, s, dt, 1);
     const double now = amplitude();
     if (last * now < 0.0) {
-      crossing = s.sheet.time - model.first_step * now / (now - last);
+      crossing = s.sheet.time - dt * now / (now - last);
       if (crossings++ == 0) first_crossing = crossing;
     }
     last = now;
@@ -108,10 +112,10 @@ TEST(FreeSheet, VibratesAlongItsYarnsAtTheExactFrequency)
 {
   const double exact = std::sqrt(1e9 / 1480.0) / (2.0 * 0.1);
   std::vector<double> errors;
-  for (const int elements : {40, 160, 640}) { // edges of 10, 5 and 2.5 mm
+  for (const int elements : {160, 640, 2560}) { // edges of 5, 2.5 and 1.25 mm
     errors.push_back(longitudinal_frequency(elements) / exact - 1.0);
   }
-  EXPECT_LT(std::abs(errors[2]), 2e-3);
+  EXPECT_LT(std::abs(errors[2]), 2e-4);
   for (int i : {0, 1}) {
     const double order = std::log2(errors[i] / errors[i + 1]);
     EXPECT_NEAR(order, 2.0, 0.3) << "from mesh " << i;

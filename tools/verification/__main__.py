@@ -6,6 +6,7 @@ import sys
 from verification import figures, page
 from verification.dome_checks import domes
 from verification.law_checks import frame_laws, press_laws
+from verification.locking_checks import locking
 from verification.page import Section
 from verification.paper_checks import paper
 from verification.runs import ROOT, Workshop
@@ -21,6 +22,10 @@ LAWS = """
 One sheet whose rate changes, under each law, beside the surface N_s(theta, rate) that the law stands for: first a picture
 frame (opened at 10 rad/s, at 1 rad/s, held, closed at 10 rad/s), then a hemisphere (1 m/s, 0.1 m/s, held). Errors are over
 the surface's own force in the fast phase. `docs/material.md` draws the conclusion.
+"""
+LOCKING = """
+Yarns hardly stretch, and a triangle whose edges cross them cannot shear without stretching some: it locks. towform takes the
+yarn strain over strips of yarn there (`src/element/yarn_strips.hpp`), and the force should not depend on how the mesh lies.
 """
 DOMES = """
 The double dome of the paper (60 mm at 1 m/s; its tools are assumed, the drawing is lost) and a hemisphere of 75 mm.
@@ -55,6 +60,7 @@ def main():
     sections = [
         Section("Specimen tests", SPECIMENS, figures.specimens(workshop), picture_frames(workshop) + bias_extensions(workshop)),
         Section("The laws when the rate changes", LAWS, figures.laws(workshop), frame_laws(workshop) + press_laws(workshop)),
+        Section("No locking on meshes that cross the yarns", LOCKING, (), locking(workshop)),
         Section("Double dome and hemisphere", DOMES, (), domes(workshop)),
         Section("The paper's law in the double dome", PAPER, figures.paper(workshop), paper(workshop))]
     page.write(sections)

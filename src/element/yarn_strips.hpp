@@ -1,0 +1,47 @@
+#pragma once
+#include "towform/blank.hpp"
+#include <span>
+#include <vector>
+
+namespace towform {
+
+/// A yarn family of an element: entry 2e is the warp of element e, entry 2e + 1 its weft.
+using YarnEntry = int;
+
+/// Strips of yarn over each of which the strain is taken as one: long along the yarn, where tension changes
+/// slowly, and narrow across it, where neighbouring yarns slide freely past each other. A strip has
+/// `strip_length` by `strip_width` of an element's edge, that is five or six triangles, laid out on the flat
+/// blank in rows along the yarns from the middle of the blank, every other row shifted by half a length. The
+/// displacements of the nodes are then three times as many as the constraints that stiff yarns put on them,
+/// and each row transports a motion along the yarn exactly: no locking, whatever the mesh, and borders
+/// between zones of different shear, which follow the yarns, blur over less than an edge.
+///
+/// Where triangles differ in size, strips follow them by factors of two. In a half or quarter model a strip
+/// that reaches over the mirror plane holds the entries that stand for its other part, which are of the other
+/// family when yarns lie at 45 degrees to the plane.
+struct YarnStrips {
+  static constexpr double strip_length = 4.0, strip_width = 0.7;
+  static constexpr int fewest_entries = 3; ///< a strip of fewer elements joins its neighbour along the yarn
+
+  std::vector<int> first;       ///< s + 1
+  std::vector<YarnEntry> entry; ///< 2m, by strip, ascending in each
+  std::vector<int> of;          ///< 2m, strip of every entry
+  std::vector<double> area;     ///< s, sum over the entries [m^2]
+
+  [[nodiscard]] std::size_t size() const { return area.size(); }
+  [[nodiscard]] std::span<const YarnEntry> entries_of(std::size_t strip) const
+  {
+    return {entry.data() + first[strip], entry.data() + first[strip + 1]};
+  }
+};
+
+/// Whether every triangle has an edge along the warp and one along the weft.
+bool follows_yarns(const Blank& blank);
+
+/// Strips of a blank with elements of `area` [m^2].
+YarnStrips lay_strips(const Blank& blank, std::span<const double> area);
+
+/// A strip of its own for every entry: the plain constant-strain triangle.
+YarnStrips strips_of_one(std::span<const double> area);
+
+} // namespace towform

@@ -1,0 +1,52 @@
+"""Bias extension on meshes that cross the yarns: what the mesh adds to the force.
+
+Yarns of 2e6 N/m, 34 degrees of shear in the middle. The reference is the mesh along the yarns that meets the grips'
+corners, of about as many elements across.
+"""
+
+from verification.rows import Row, reported
+from verification.runs import Run
+from verification.specimens import Specimen, bias_extension, percent
+
+SETTINGS = ('material.fibre_modulus="2 GPa"', "material.relaxation_ratio=0.05",
+            'boundary.head.motion.displacement="24.87 mm"', 'time.end="0.28 s"', "time.mass_scaling=10", "output.frames=10",
+            "gates.yarn_strain=1")
+ALIGNED = {8: 11.785113, 16: 5.8925565, 32: 2.9462783}  # [mm], 6, 12 and 24 diagonals across
+MESHES = (("diagonal", 0), ("diagonal", 15), ("diagonal", 30), ("diagonal", 45), ("cross", 0), ("cross", 30),
+          ("cross", 45), ("unstructured", 0))
+
+
+def bias_run(pattern, angle, across, edge, *more):
+    return Run("_".join(["locking", pattern, str(angle), str(across), *(m.split("=")[1] for m in more)]), "bias_extension",
+               (f'blank.edge="{edge:g} mm"', f"blank.pattern={pattern}", f'blank.mesh_angle="{angle} deg"', *SETTINGS, *more))
+
+
+def end_force(workshop, run):
+    return bias_extension(Specimen(workshop.form(run)))[-1].force
+
+
+def locking(workshop):
+    rows, aligned = [], {}
+    for across, edge in ALIGNED.items():
+        run = bias_run("diagonal", 0, f"{across}_aligned", edge)
+        point = bias_extension(Specimen(workshop.form(run)))[-1]
+        aligned[across] = point.force
+        rows.append(reported("bias extension at 34 deg, mesh along the yarns", f"force, {across} across",
+                             f"{point.exact_force:.4g} N", f"{point.force:.4g} N", run.command,
+                             f"{percent(point.force, point.exact_force):+.1f} %"))
+    for pattern, angle in MESHES:
+        for across in ALIGNED:
+            run = bias_run(pattern, angle, across, 100 / across)
+            force = end_force(workshop, run)
+            error = percent(force, aligned[across])
+            finest = across == max(ALIGNED)
+            rows.append(Row(f"bias extension at 34 deg, {pattern}, edges at {angle} deg to the yarns",
+                            f"force, {across} across", f"{aligned[across]:.4g} N, mesh along the yarns", f"{force:.4g} N",
+                            f"{error:+.1f} %", "5 %" if finest else "", run.command, bool(abs(error) <= 5) if finest else None))
+    # What a plain triangle would say.
+    run = bias_run("diagonal", 45, 16, 6.25, "material.yarn_strain=triangle")
+    force = end_force(workshop, run)
+    rows.append(reported("the same, diagonal, 45 deg, each triangle for itself", "force, 16 across",
+                         f"{aligned[16]:.4g} N, mesh along the yarns", f"{force:.4g} N", run.command,
+                         f"{percent(force, aligned[16]):+.0f} %"))
+    return rows
