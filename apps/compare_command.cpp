@@ -39,13 +39,14 @@ struct CompareArguments {
   std::string results, reference, from, to, centre, tolerance, rms, file;
   std::vector<std::string> conditions, columns;
   std::optional<int> frame;
-  bool reference_coordinates = false, mirror = false;
+  bool reference_coordinates = false, mirror = false, nodal = false;
 
   [[nodiscard]] ComparisonOptions options(bool outline) const
   {
     ComparisonOptions o;
     o.reference_coordinates = reference_coordinates;
     o.mirror = mirror;
+    o.nodal = nodal;
     const auto point = [](const char* option, const std::string& text) -> std::optional<Vec2> {
       if (text.empty()) return std::nullopt;
       const auto v = lengths(option, text, 2);
@@ -153,6 +154,9 @@ void add_compare_command(CLI::App& app, ExitCode& code)
   command->add_option("--centre", a->centre, "centre of the sphere [mm]")->type_name("X,Y,Z");
   command->add_flag("--reference-coordinates", a->reference_coordinates,
                     "points and sections lie on the flat sheet instead of the formed one");
+  command->add_flag(
+      "--nodal", a->nodal,
+      "shear between means at the nodes, in place of the value of the element: closer where it is smooth");
   command->add_flag("--mirror", a->mirror,
                     "fold points of other quarters into the quarter or half that is modelled");
   command->add_option("-o,--output", a->file, "CSV file of the differences to write")->type_name("FILE.csv");

@@ -84,6 +84,7 @@ public:
         mirrors_(sheet.flat.points)
   {
     result_.kind = kind_of(reference, options);
+    if (options.nodal) nodal_ = nodal_means();
     if (options.mirror && !mirrors_.x && !mirrors_.y)
       refuse("--mirror: the sheet ends neither at x = 0 nor at y = 0, so it is no part to fold points into");
     const auto negative = [](const ReferencePoint& p) { return p[Role::shear] < 0.0; };
@@ -122,9 +123,34 @@ private:
   {
     return result_.magnitudes ? std::abs(shear) : shear;
   }
-  [[nodiscard]] double shear(int element) const
+  [[nodiscard]] double shear(int element, const Vec3& at) const
   {
-    return signed_or_not(sheet_.shear[static_cast<std::size_t>(element)]);
+    if (nodal_.empty()) return signed_or_not(sheet_.shear[static_cast<std::size_t>(element)]);
+    const Triangle& t = sheet_.flat.triangles[static_cast<std::size_t>(element)];
+    const Vec3 &a = places_[t[0]], &b = places_[t[1]], &c = places_[t[2]];
+    const Vec3 normal = cross(b - a, c - a);
+    const double whole = norm_squared(normal);
+    const double wb = dot(cross(at - a, c - a), normal) / whole,
+                 wc = dot(cross(b - a, at - a), normal) / whole;
+    return signed_or_not((1.0 - wb - wc) * nodal_[t[0]] + wb * nodal_[t[1]] + wc * nodal_[t[2]]);
+  }
+
+  /// Means over the elements round each node, by area of the flat sheet.
+  [[nodiscard]] std::vector<double> nodal_means() const
+  {
+    std::vector<double> sum(places_.size(), 0.0), area(places_.size(), 0.0);
+    for (std::size_t e = 0; e < sheet_.flat.triangles.size(); ++e) {
+      const auto& [a, b, c] = sheet_.flat.triangles[e];
+      const auto& x = sheet_.flat.points;
+      const double size = norm(cross(x[b] - x[a], x[c] - x[a]));
+      for (const int n : {a, b, c}) {
+        sum[n] += size * sheet_.shear[e];
+        area[n] += size;
+      }
+    }
+    for (std::size_t n = 0; n < sum.size(); ++n)
+      if (area[n] > 0.0) sum[n] /= area[n];
+    return sum;
   }
   [[nodiscard]] Vec2 plan(const ReferencePoint& p) const
   {
@@ -143,7 +169,8 @@ private:
         best = std::min_element(holders.begin(), holders.end(), [&](const auto& a, const auto& b) {
           return std::abs(a.z - point.reference[Role::z]) < std::abs(b.z - point.reference[Role::z]);
         });
-      point.computed = shear(best->element);
+      const Vec2 at = plan(point.reference);
+      point.computed = shear(best->element, {at.x, at.y, best->z});
     }
   }
 
@@ -183,8 +210,8 @@ private:
       double sum = 0.0, away = 0.0;
       int found = 0;
       for (const auto* pieces : {&left, &right})
-        if (const auto* piece = find(*pieces, point.reference, away)) {
-          sum += shear(piece->element);
+        if (const auto found_at = find(*pieces, point.reference, away)) {
+          sum += shear(found_at->element, found_at->point);
           ++found;
         }
       if (found == 0) continue;
@@ -193,17 +220,26 @@ private:
     }
   }
 
-  [[nodiscard]] const SectionPiece* find(const std::vector<SectionPiece>& pieces, const ReferencePoint& point,
-                                         double& distance) const
+  struct Found {
+    int element;
+    Vec3 point;
+  };
+
+  [[nodiscard]] std::optional<Found> find(const std::vector<SectionPiece>& pieces,
+                                          const ReferencePoint& point, double& distance) const
   {
     if (result_.kind == ComparisonKind::section) {
       const double arc = point[Role::arc], slack = 1e-9 * (pieces.empty() ? 0.0 : pieces.back().arc_to);
       for (const SectionPiece& piece : pieces)
-        if (arc >= piece.arc_from - slack && arc <= piece.arc_to + slack) return &piece;
-      return nullptr;
+        if (arc >= piece.arc_from - slack && arc <= piece.arc_to + slack) {
+          const double length = piece.arc_to - piece.arc_from;
+          const double share = length > 0.0 ? std::clamp((arc - piece.arc_from) / length, 0.0, 1.0) : 0.0;
+          return Found{piece.element, (1.0 - share) * piece.from + share * piece.to};
+        }
+      return std::nullopt;
     }
     // The pole is where the line starts: above the centre or below it.
-    if (pieces.empty()) return nullptr;
+    if (pieces.empty()) return std::nullopt;
     const Vec3& centre = *options_.centre;
     const Vec3 pole{0.0, 0.0, pieces.front().from.z < centre.z ? -1.0 : 1.0};
     const auto angle = [&](const Vec3& p) {
@@ -214,10 +250,11 @@ private:
       const double a = angle(piece.from), b = angle(piece.to), wanted = point[Role::polar];
       if (wanted < std::min(a, b) - 1e-9 || wanted > std::max(a, b) + 1e-9) continue;
       const double share = a == b ? 0.0 : std::clamp((wanted - a) / (b - a), 0.0, 1.0);
-      distance = norm((1.0 - share) * piece.from + share * piece.to - centre);
-      return &piece;
+      const Vec3 at = (1.0 - share) * piece.from + share * piece.to;
+      distance = norm(at - centre);
+      return Found{piece.element, at};
     }
-    return nullptr;
+    return std::nullopt;
   }
 
   void statistics()
@@ -270,6 +307,7 @@ private:
   const ComparisonOptions& options_;
   const std::vector<Vec3>& places_;
   Mirrors mirrors_;
+  std::vector<double> nodal_; ///< shear at the nodes [deg]; empty unless asked for
   Comparison result_;
 };
 

@@ -19,9 +19,11 @@ struct ComparisonOptions {
   std::optional<Vec2> from, to;       ///< plan points: of a section; `to` also of a line on a sphere [m]
   std::optional<Vec3> centre;         ///< of the sphere [m]
   bool reference_coordinates = false; ///< on the flat sheet instead of the formed one
-  bool mirror = false;                ///< points of other quarters are folded into the modelled one
-  std::optional<double> tolerance;    ///< of every point [deg or m]
-  std::optional<double> rms;          ///< [deg or m]
+  bool nodal =
+      false; ///< shear between means at the nodes, in place of the element's own: second order in the edge
+  bool mirror = false;             ///< points of other quarters are folded into the modelled one
+  std::optional<double> tolerance; ///< of every point [deg or m]
+  std::optional<double> rms;       ///< [deg or m]
 };
 
 /// One point of the reference against the sheet. Values in deg, those of an outline in m.

@@ -51,6 +51,24 @@ TEST(Comparison, OfAFieldIsExact)
   EXPECT_TRUE(c.failures.empty());
 }
 
+TEST(Comparison, BetweenMeansAtTheNodesALinearFieldIsExact)
+{
+  // The squares' values are those of x/10 mm - 1/2 + 10 (y/10 mm - 1/2) at their middles.
+  const std::vector<std::vector<double>> places{
+      {0.0123, 0.0171, 0.0}, {0.0337, 0.0152, 0.0}, {0.0421, 0.0269, 0.0}};
+  ComparisonOptions options;
+  options.nodal = true;
+  const Comparison c = compare(test::board(6, 4), points(of_field, places), options);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    EXPECT_NEAR(*c.points[i].computed, places[i][0] / 0.01 - 0.5 + 10.0 * (places[i][1] / 0.01 - 0.5), 1e-12);
+  options.from = Vec2{0.01, 0.015};
+  options.to = Vec2{0.05, 0.015};
+  const Comparison along =
+      compare(test::board(6, 4), points(of_section, {{0.0131, 0.0}, {0.029, 0.0}}), options);
+  EXPECT_NEAR(*along.points[0].computed, 0.0231 / 0.01 - 0.5 + 10.0, 1e-9);
+  EXPECT_NEAR(*along.points[1].computed, 0.039 / 0.01 - 0.5 + 10.0, 1e-9);
+}
+
 TEST(Comparison, JudgesByEveryPointAndByTheRootMeanSquare)
 {
   const SheetResult sheet = test::board(6, 4);
