@@ -1,5 +1,6 @@
 #include "mesh/imported_blank.hpp"
 #include "case/file_issue.hpp"
+#include "mesh/box.hpp"
 #include "mesh/surface_check.hpp"
 #include <algorithm>
 #include <cmath>
@@ -12,20 +13,6 @@ namespace {
 
 // Of the blank's width: what meshers leave of rounding is far below, the smallest element far above.
 constexpr double same_place = 1e-6;
-
-struct Box {
-  Vec3 low, high;
-};
-
-Box box_of(const std::vector<Vec3>& points)
-{
-  Box box{points.front(), points.front()};
-  for (const Vec3& p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-  }
-  return box;
-}
 
 double width(const Box& box) { return std::max(box.high.x - box.low.x, box.high.y - box.low.y); }
 

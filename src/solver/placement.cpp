@@ -1,4 +1,5 @@
 #include "solver/placement.hpp"
+#include "mesh/box.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -8,20 +9,6 @@ namespace towform {
 namespace {
 
 constexpr double rounding = 1e-7; // [m]: STL files hold single precision
-
-struct Box {
-  Vec3 low, high;
-};
-
-Box box_of(const std::vector<Vec3>& points)
-{
-  Box box{points.front(), points.front()};
-  for (const Vec3& p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
-  }
-  return box;
-}
 
 double widest(const Box& box)
 {

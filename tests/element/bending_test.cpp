@@ -1,4 +1,5 @@
 #include "element/bent.hpp"
+#include "element/sheet.hpp"
 #include "parallel/parallel.hpp"
 #include <Eigen/Dense>
 #include <algorithm>
@@ -184,16 +185,8 @@ TEST(Bending, ForcesAreTheDerivativeOfTheEnergy)
   const test::Bent bent(bending, base);
   const double scale = largest(bent.force), step = 1e-7;
   for (std::size_t i = 0; i < base.size(); ++i) {
-    std::vector<Vec3> x = base;
-    const auto slope = [&](double Vec3::*component) {
-      x[i].*component = base[i].*component + step;
-      const double up = test::Bent(bending, x).energy;
-      x[i].*component = base[i].*component - step;
-      const double down = test::Bent(bending, x).energy;
-      x[i].*component = base[i].*component;
-      return (up - down) / (2.0 * step);
-    };
-    const Vec3 gradient{slope(&Vec3::x), slope(&Vec3::y), slope(&Vec3::z)};
+    const Vec3 gradient = test::gradient(
+        [&](const std::vector<Vec3>& x) { return test::Bent(bending, x).energy; }, base, i, step);
     // Central differences of a smooth energy over 1e-7 of elements of 1e-2; kinks of the table are few.
     EXPECT_LT(norm(bent.force[i] + gradient), 1e-5 * scale) << i;
   }

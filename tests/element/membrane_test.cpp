@@ -110,16 +110,7 @@ TEST(Membrane, ForcesAreTheDerivativeOfTheYarnEnergy)
   };
   const double scale = largest(s.force), step = 1e-8;
   for (std::size_t i = 0; i < base.size(); i += 3) {
-    std::vector<Vec3> x = base;
-    const auto slope = [&](double Vec3::*component) {
-      x[i].*component = base[i].*component + step;
-      const double up = energy(x);
-      x[i].*component = base[i].*component - step;
-      const double down = energy(x);
-      x[i].*component = base[i].*component;
-      return (up - down) / (2.0 * step);
-    };
-    const Vec3 gradient{slope(&Vec3::x), slope(&Vec3::y), slope(&Vec3::z)};
+    const Vec3 gradient = test::gradient(energy, base, i, step);
     EXPECT_LT(norm(s.force[i] + gradient), 1e-5 * scale);
   }
 }

@@ -61,4 +61,20 @@ inline std::vector<Vec3> perturbed(std::vector<Vec3> points, double amount, unsi
   return points;
 }
 
+/// Derivative of a function of all positions by one node's, by central differences.
+template <class Energy>
+Vec3 gradient(const Energy& energy, std::vector<Vec3> x, std::size_t node, double step)
+{
+  const auto slope = [&](double Vec3::*component) {
+    const double here = x[node].*component;
+    x[node].*component = here + step;
+    const double up = energy(x);
+    x[node].*component = here - step;
+    const double down = energy(x);
+    x[node].*component = here;
+    return (up - down) / (2.0 * step);
+  };
+  return {slope(&Vec3::x), slope(&Vec3::y), slope(&Vec3::z)};
+}
+
 } // namespace towform::test
