@@ -4,111 +4,14 @@ import csv
 import json
 import re
 import struct
-import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
 import h5py
 import numpy as np
 
-PROGRAM, SOURCE = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-COMMANDS = {"run", "check", "mesh", "info", "compare"}
-DONE, USAGE, CASE_FILE, FILES, STABILITY, CONTACT, COMPARISON = 0, 2, 3, 4, 5, 6, 8
-
-CASE = """title = "A small press"
-[blank]
-size = ["60 mm", "60 mm"]
-elements = 72
-thickness = "1 mm"
-[material]
-card = "gf_pp_twill"
-temperature = "190 degC"
-[[tool]]
-name = "punch"
-mesh = "punch.stl"
-motion = { displacement = "-5 mm" }
-[[tool]]
-name = "table"
-mesh = "table.stl"
-[time]
-end = "5 ms"
-[output]
-frames = 3
-history = 10
-"""
-PUNCH_LINE, TABLE_LINE = 11, 15  # of their mesh keys
-
-HISTORY = ["time_s", "step", "dt_s", "force_punch_N", "force_table_N", "position_punch_m", "position_table_m",
-           "energy_error"]
-ENERGIES = ["kinetic", "yarn", "shear_elastic", "shear_dissipated", "bending", "bending_damping", "contact", "friction", "damping", "external"]
-SUMMARY = ["status", "elements", "nodes", "steps", "simulated_time_s", "wall_time_s", "threads", "ns_per_element_step",
-           "energy_error", "kinetic_to_internal_max", "shear_angle_max_deg", "shear_angle_p99_deg", "fibre_strain_max",
-           "fibre_compression_max", "fibre_compression_p99",
-           "draw_in_mm", "punch_force_max_N", "penetration_max_mm", "added_mass_fraction", "phases_s"]
-# name: columns, per node or element, units
-FIELDS = {"position": (3, "node", "m"), "velocity": (3, "node", "m/s"), "contact_pressure": (0, "node", "Pa"),
-          "clearance": (0, "node", "m"), "curvature": (2, "element", "1/m"),
-          "shear_angle": (0, "element", "deg"), "shear_rate": (0, "element", "rad/s"),
-          "curve_index": (0, "element", "1"), "curve_position": (0, "element", "1"),
-          "shear_force": (0, "element", "N/m"), "fibre_1": (3, "element", "1"), "fibre_2": (3, "element", "1"),
-          "fibre_strain": (2, "element", "1"), "thickness": (0, "element", "m"), "temperature": (0, "element", "K")}
-
-
-def box(low, high):
-    """The facets of a closed box, outward normals."""
-    p = [[(low, high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)]
-    corners = [(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2),
-               (2, 4, 6), (1, 3, 5), (3, 7, 5)]
-    return [[p[i] for i in facet] for facet in corners]
-
-
-def write_stl(path, facets):
-    with open(path, "wb") as file:
-        file.write(b"box".ljust(80) + struct.pack("<I", len(facets)))
-        for facet in facets:
-            file.write(struct.pack("<12fH", 0, 0, 0, *(x for corner in facet for x in corner), 0))
-
-
-TABLE = box((-0.05, -0.05, -0.02), (-0.014, 0.05, -0.0005)) + box((0.014, -0.05, -0.02), (0.05, 0.05, -0.0005))
-
-
-class Program(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.directory = Path(temporary.name)
-        # The sheet's faces are at +-0.5 mm; a block comes down on it between the two blocks of a table.
-        write_stl(self.directory / "punch.stl", box((-0.006, -0.012, 0.0005), (0.006, 0.012, 0.02)))
-        write_stl(self.directory / "table.stl", TABLE)
-        self.case = self.write("press.toml", CASE)
-        self.out = self.directory / "results"
-
-    def write(self, name, text):
-        path = self.directory / name
-        path.write_text(text)
-        return path
-
-    def towform(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.directory)
-
-    def run_case(self, *arguments, case=None):
-        return self.towform("run", case or self.case, "-o", self.out, "--threads", 1, *arguments)
-
-    def assert_ends(self, done, code):
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-
-    def assert_refused(self, done, code, *patterns):
-        """Ends with a code, says what is wrong on standard error, one line each, and writes nothing."""
-        self.assert_ends(done, code)
-        lines = done.stderr.strip().splitlines()
-        self.assertEqual(len(lines), len(patterns), done.stderr)
-        for line, pattern in zip(lines, patterns):
-            self.assertRegex(line, pattern)
-        self.assertEqual(done.stdout, "")
-        self.assertFalse(self.out.exists(), "a refused run has written")
-        self.assertFalse((self.directory / "out").exists(), "a refused run has written")
+from harness import (CASE, CASE_FILE, COMMANDS, CONTACT, DONE, ENERGIES, FIELDS, FILES, HISTORY, Program, PUNCH_LINE,
+                     SOURCE, STABILITY, SUMMARY, TABLE, TABLE_LINE, USAGE, write_stl)
 
 
 class Help(Program):
@@ -409,94 +312,6 @@ class Info(Program):
         self.assertEqual(done.stderr, "")
         for words in ("A small press", "done", "72", "49", "shear_angle", "[deg]", "position z"):
             self.assertIn(words, done.stdout)
-
-
-class Compare(Program):
-    """Against the results' own numbers, read with another library."""
-
-    def setUp(self):
-        super().setUp()
-        self.assert_ends(self.run_case(), DONE)
-        self.results = self.out / "results.h5"
-        with h5py.File(self.results, "r") as file:
-            triangles, last = file["mesh/triangles"][:], file["frames/0003"]
-            self.centres = 1e3 * last["position"][:][triangles].mean(axis=1)  # mm
-            self.shear = last["shear_angle"][:]
-
-    def points(self, name, header, rows):
-        return self.write(name, "# made up\n" + ",".join(header) + "\n"
-                          + "".join(",".join(f"{v:.12g}" for v in row) + "\n" for row in rows))
-
-    def test_a_field_is_judged_and_written(self):
-        rows = [(*self.centres[e][:3], self.shear[e] + 0.25) for e in range(0, 72, 5)]
-        field = self.points("field.csv", ("x_mm", "y_mm", "z_mm", "shear_deg"), rows)
-        done = self.towform("compare", self.results, field, "--tolerance", 0.2501, "-o", "differences.csv")
-        self.assert_ends(done, DONE)
-        self.assertIn("within tolerance", done.stdout)
-        self.assertIn("mean -0.250, RMS 0.250, max 0.250 deg", done.stdout)
-        with open(self.directory / "differences.csv", newline="") as file:
-            written = list(csv.DictReader(file))
-        self.assertEqual(len(written), len(rows))
-        for row in written:
-            self.assertAlmostEqual(abs(float(row["difference_deg"])), 0.25, delta=1e-5)  # single precision
-        done = self.towform("compare", self.results, field, "--tolerance", 0.2499, "--rms", 0.2499)
-        self.assert_ends(done, COMPARISON)
-        self.assertEqual(done.stderr, "")
-        self.assertRegex(done.stdout, r"out of tolerance: largest difference 0\.25 deg \(line \d+\), limit 0\.2499 deg")
-        self.assertRegex(done.stdout, r"out of tolerance: RMS 0\.25 deg, limit 0\.2499 deg")
-
-    def test_points_outside_are_named(self):
-        outside = self.points("outside.csv", ("x_m", "y_m", "shear_rad"), [(0.0, 0.0, 0.0), (0.1, 0.0, 0.0)])
-        done = self.towform("compare", self.results, outside)
-        self.assert_ends(done, DONE)
-        self.assertRegex(done.stdout, r"\n +4 +100\.000 +0\.000 +0\.000 +outside the sheet\n")
-        done = self.towform("compare", self.results, outside, "--tolerance", "90 deg")
-        self.assert_ends(done, COMPARISON)
-        self.assertIn("1 point(s) outside the sheet: line(s) 4", done.stdout)
-
-    def test_an_outline_a_frame_and_rows_are_chosen(self):
-        outline = self.write("outline.csv", "set,x_mm,y_mm\na,30,0\na,0,30\nb,40,0\nb,50,0\n")
-        self.assert_refused_to_compare((outline,), FILES, r"outline\.csv:1:1: column `set` tells 2 sets apart, a and b")
-        done = self.towform("compare", self.results, outline, "--where", "set=a", "--frame", 0, "--tolerance", "1e-9 mm")
-        self.assert_ends(done, DONE)
-        self.assertIn("frame 0 of 0 to 3, 0 ms", done.stdout)
-        done = self.towform("compare", self.results, outline, "--where", "set=b", "--frame", 0, "--rms", 15.8)
-        self.assert_ends(done, COMPARISON)  # 10 and 20 mm away
-        self.assertIn("mean -15.000, RMS 15.811, max 20.000 mm (line 5)", done.stdout)
-
-    def test_sections(self):
-        section = self.write("section.csv", "arc_mm,shear_deg\n10,0\n50,0\n")
-        done = self.towform("compare", self.results, section, "--from=-30,0", "--to", "30 mm,0 mm")
-        self.assert_ends(done, DONE)
-        self.assertIn("2 of 2 points on the sheet", done.stdout)
-        sphere = self.write("sphere.csv", "polar_deg,shear_deg\n1,0\n20,0\n")
-        done = self.towform("compare", self.results, sphere, "--centre", "0,0,20", "--to", "0,30")
-        self.assert_ends(done, DONE)
-        self.assertIn("2 of 2 points on the sheet", done.stdout)
-
-    def assert_refused_to_compare(self, arguments, code, pattern):
-        done = self.towform("compare", self.results, *arguments)
-        self.assert_ends(done, code)
-        self.assertEqual(done.stdout, "")
-        self.assertRegex(done.stderr, pattern)
-
-    def test_what_it_cannot_use(self):
-        good = self.write("good.csv", "x_mm,y_mm,shear_deg\n0,0,0\n")
-        bad = self.write("bad.csv", "x_mm,y_mm,shear_deg\n0,zero,0\n0,0\n")
-        self.assert_refused_to_compare((bad,), FILES, r"bad\.csv:3:1: 2 values for 3 columns")
-        self.assert_refused_to_compare(("none.csv",), FILES, r"none\.csv")
-        self.assert_refused_to_compare((good, "--frame", 9), FILES, r"there is no frame 9; there are frames 0 to 3")
-        self.assert_refused_to_compare((good, "--from", "0,0"), USAGE, r"--from x,y and --to x,y")
-        self.assert_refused_to_compare((good, "--from", "0", "--to", "1,2"), USAGE, r"--from: 0 is not x,y")
-        self.assert_refused_to_compare((good, "--tolerance", "2 mm"), USAGE, r"--tolerance")
-        self.assert_refused_to_compare((good, "--tolerance", "-2"), USAGE, r"--tolerance")
-        self.assert_refused_to_compare((good, "--mirror"), USAGE, r"--mirror: the sheet ends neither at x = 0")
-        self.assert_refused_to_compare((good, "--where", "shear_deg"), USAGE, r"--where: 'shear_deg' is no condition")
-        self.assert_refused_to_compare((good, "--column", "sheer=shear_deg"), USAGE, r"--column")
-        done = self.towform("compare", good, good)
-        self.assert_ends(done, FILES)
-        self.assertRegex(done.stderr, r"good\.csv: cannot be opened")
-        self.assert_ends(self.towform("compare", self.results), USAGE)
 
 
 class Mesh(Program):
