@@ -12,9 +12,10 @@ using YarnEntry = int;
 /// slowly, and narrow across it, where neighbouring yarns slide freely past each other. A strip has
 /// `strip_length` by `strip_width` of an element's edge, that is five or six triangles, laid out on the flat
 /// blank in rows along the yarns from the middle of the blank, every other row shifted by half a length. The
-/// displacements of the nodes are then three times as many as the constraints that stiff yarns put on them,
-/// and each row transports a motion along the yarn exactly: no locking, whatever the mesh, and borders
-/// between zones of different shear, which follow the yarns, blur over less than an edge.
+/// displacements of the nodes are then about three times as many as the constraints that stiff yarns put on
+/// them, and each row transports a motion along the yarn as it is, so that little locks whatever the mesh:
+/// what is left falls with the edge (measured: docs/verification.md). Borders between zones of different
+/// shear, which follow the yarns, blur over less than an edge.
 ///
 /// Where triangles differ in size, strips follow them by factors of two. In a half or quarter model a strip
 /// that reaches over the mirror plane holds the entries that stand for its other part, which are of the other
