@@ -21,26 +21,29 @@ struct BlockSums {
 SurfacePoint find_nearest(const ToolSurface& surface, const Vec3& p, double half_thickness,
                           SearchMemory& memory)
 {
-  if (memory.reach >= 0.0) {
-    const double moved_squared = norm_squared(p - memory.anchor);
-    if (moved_squared <= memory.reach * memory.reach)
-      return surface.nearest_of(p, {memory.facets.data(), static_cast<std::size_t>(memory.count)},
-                                std::sqrt(moved_squared));
-  }
-  SurfacePoint nearest = surface.nearest(p, memory.hint);
-  memory.hint = nearest.facet;
-  memory.reach = -1.0;
-  const double margin = half_thickness; // how far a node may slide before it is searched for again
-  if (nearest.distance - half_thickness > 2.0 * margin) return nearest;
-  // While the node moves by up to `margin`, its nearest facet stays within twice that of today's nearest
-  // distance.
-  thread_local std::vector<NearFacet> found;
-  surface.tree().within(p, std::abs(nearest.distance) + 2.0 * margin + 1e-12, found);
-  if (found.size() > SearchMemory::capacity) return nearest;
-  std::copy(found.begin(), found.end(), memory.facets.begin());
-  memory.count = static_cast<int>(found.size());
+  const auto remembered = [&](double moved) {
+    return surface.nearest_of(p, {memory.facets.data(), static_cast<std::size_t>(memory.count)}, moved);
+  };
+  const double moved = norm(p - memory.anchor);
+  if (moved <= memory.reach) return remembered(moved);
+  const double margin = half_thickness; // how far a node may slide at most before it is searched for again
+  double bound = 1e100;
+  if (memory.count > 0)
+    bound =
+        std::sqrt(nearest_on_facet(surface.tree().facet(memory.facets.front().facet), p).distance_squared) *
+            (1.0 + 1e-12) +
+        2.0 * margin;
+  std::array<NearFacet, SearchMemory::capacity + 1> found;
+  const std::size_t count = surface.tree().nearest_few(p, bound, found);
+  memory.count = static_cast<int>(std::min(count, SearchMemory::capacity));
+  std::copy_n(found.begin(), memory.count, memory.facets.begin());
   memory.anchor = p;
-  memory.reach = margin;
+  const SurfacePoint nearest = remembered(0.0);
+  // While the node moves by r, its nearest facet is within r of today's nearest distance, and a facet left
+  // out no nearer than its distance less r.
+  const double left_out = count > SearchMemory::capacity ? found.back().distance : bound;
+  memory.reach =
+      static_cast<float>(std::min(0.5 * (left_out - std::abs(nearest.distance)), margin) * (1.0 - 1e-6));
   return nearest;
 }
 
@@ -79,6 +82,7 @@ void start(const Contact&, std::size_t nodes, ContactState& c)
   c.stick.assign(nodes, {});
   c.normal_force.assign(nodes, 0.0);
   c.memory.assign(nodes, {});
+  c.wake.assign(nodes, 0.0);
 }
 
 void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_state, ContactState& c,
@@ -95,13 +99,12 @@ void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_st
   parallel_each(blocks, [&](int block) {
     BlockSums& sum = sums[block];
     for (int n = block * block_size; n < std::min(nodes, (block + 1) * block_size); ++n) {
-      SearchMemory& memory = c.memory[n];
-      if (c.travel < memory.wake) continue;
-      const SurfacePoint nearest = find_nearest(tool.surface, s.position[n] - shift, half, memory);
+      if (c.travel < c.wake[n]) continue;
+      const SurfacePoint nearest = find_nearest(tool.surface, s.position[n] - shift, half, c.memory[n]);
       const double gap = nearest.distance - half;
       // Behind the rim of an open surface there is no tool.
       if (gap >= 0.0 || (nearest.distance < 0.0 && nearest.on_border)) {
-        memory.wake = c.travel + std::max(gap, 0.0);
+        c.wake[n] = c.travel + std::max(gap, 0.0);
         c.normal_force[n] = 0.0;
         c.stick[n] = {};
         continue;

@@ -18,14 +18,12 @@ struct Contact {
   double stick_ratio = 1.0;      ///< k_t / k
 };
 
-/// What the search remembers about a node; only speed depends on it, never the result.
+/// What the search remembers about a node: the facets below hold the nearest one while the node is within
+/// `reach` of `anchor`. Only speed depends on it, never the result.
 struct SearchMemory {
-  static constexpr int capacity = 12;
-  double wake = 0.0; ///< travel at which the tool may be reached
-  double reach =
-      -1.0;      ///< the facets below hold the nearest one while the node is within this of `anchor` [m]
-  Vec3 anchor;   ///< in the tool's frame
-  int hint = -1; ///< last nearest facet
+  static constexpr std::size_t capacity = 8;
+  Vec3 anchor;         ///< in the tool's frame
+  float reach = -1.0F; ///< [m]
   int count = 0;
   std::array<NearFacet, capacity> facets{}; ///< nearest to the anchor first
 };
@@ -44,6 +42,7 @@ struct ContactState {
   ContactEnergies energies;
 
   std::vector<SearchMemory> memory; ///< n
+  std::vector<double> wake;         ///< n, travel at which the tool may be reached [m]
   double travel = 0.0;              ///< bound of what any node has moved against the tool since the start [m]
 };
 

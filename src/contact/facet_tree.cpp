@@ -1,5 +1,4 @@
 #include "contact/facet_tree.hpp"
-#include "contact/facet.hpp"
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <limits>
 
@@ -40,10 +39,10 @@ FacetTree::FacetTree(const SurfaceMesh& mesh)
   for (const Vec3& p : mesh.points) points.emplace_back(p.x, p.y, p.z);
   std::vector<fcl::Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
-  corners_.reserve(mesh.triangles.size());
+  facets_.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     triangles.emplace_back(a, b, c);
-    corners_.push_back({mesh.points[a], mesh.points[b], mesh.points[c]});
+    facets_.emplace_back(std::array{mesh.points[a], mesh.points[b], mesh.points[c]});
   }
   model.addSubModel(points, triangles);
   model.endModel();
@@ -76,7 +75,10 @@ FacetTree::~FacetTree() = default;
 FacetTree::FacetTree(FacetTree&&) noexcept = default;
 FacetTree& FacetTree::operator=(FacetTree&&) noexcept = default;
 
-int FacetTree::nearest(const Vec3& p, double bound) const
+/// Visits facets from the nearest box on, as long as `limit()` [m^2] lets them: what lies farther is left
+/// out.
+template <class Limit, class Visit>
+void FacetTree::walk(const Vec3& p, const Limit& limit, const Visit& visit) const
 {
   struct Entry {
     int node;
@@ -84,19 +86,13 @@ int FacetTree::nearest(const Vec3& p, double bound) const
   };
   std::array<Entry, stack_size> stack;
   int top = 0;
-  double best = bound * bound;
-  int facet = -1;
   stack[top++] = {0, distance_squared(boxes_->nodes[0].box, p)};
   while (top > 0) {
     const Entry entry = stack[--top];
-    if (entry.distance_squared > best) continue;
+    if (entry.distance_squared > limit()) continue;
     const Boxes::Node& node = boxes_->nodes[entry.node];
     if (node.facet >= 0) {
-      const double d2 = nearest_on_facet(corners_[node.facet], p).distance_squared;
-      if (d2 < best || (d2 == best && (facet < 0 || node.facet < facet))) {
-        best = d2;
-        facet = node.facet;
-      }
+      visit(node.facet, nearest_on_facet(facets_[node.facet], p).distance_squared);
       continue;
     }
     Entry near{node.left, distance_squared(boxes_->nodes[node.left].box, p)};
@@ -105,30 +101,48 @@ int FacetTree::nearest(const Vec3& p, double bound) const
     stack[top++] = far;
     stack[top++] = near;
   }
+}
+
+int FacetTree::nearest(const Vec3& p, double bound) const
+{
+  double best = bound * bound;
+  int facet = -1;
+  walk(
+      p, [&] { return best; },
+      [&](int other, double d2) {
+        if (d2 < best || (d2 == best && (facet < 0 || other < facet))) {
+          best = d2;
+          facet = other;
+        }
+      });
   return facet;
 }
 
-void FacetTree::within(const Vec3& p, double radius, std::vector<NearFacet>& found) const
+std::size_t FacetTree::nearest_few(const Vec3& p, double bound, std::span<NearFacet> found) const
 {
-  found.clear();
-  std::array<int, stack_size> stack;
-  int top = 0;
-  stack[top++] = 0;
-  const double limit = radius * radius;
-  while (top > 0) {
-    const Boxes::Node& node = boxes_->nodes[stack[--top]];
-    if (distance_squared(node.box, p) > limit) continue;
-    if (node.facet < 0) {
-      stack[top++] = node.left;
-      stack[top++] = node.left + 1;
-    } else {
-      const double d2 = nearest_on_facet(corners_[node.facet], p).distance_squared;
-      if (d2 <= limit) found.push_back({node.facet, std::sqrt(d2)});
-    }
-  }
-  std::sort(found.begin(), found.end(), [](const NearFacet& a, const NearFacet& b) {
-    return a.distance < b.distance || (a.distance == b.distance && a.facet < b.facet);
-  });
+  struct Candidate {
+    double distance_squared;
+    int facet;
+    auto operator<=>(const Candidate&) const = default;
+  };
+  std::array<Candidate, most_few + 1> best; // in order, with room for one to be dropped
+  std::size_t count = 0;
+  double limit = bound * bound;
+  walk(
+      p, [&] { return limit; },
+      [&](int facet, double d2) {
+        if (d2 > limit) return;
+        const Candidate candidate{d2, facet};
+        std::size_t at = count;
+        for (; at > 0 && candidate < best[at - 1]; --at) best[at] = best[at - 1];
+        best[at] = candidate;
+        if (count < found.size()) ++count;
+        if (count == found.size()) limit = std::min(limit, best[count - 1].distance_squared);
+      });
+  constexpr double down = 1.0 - 1e-6; // more than a float's rounding
+  for (std::size_t i = 0; i < count; ++i)
+    found[i] = {best[i].facet, static_cast<float>(down * std::sqrt(best[i].distance_squared))};
+  return count;
 }
 
 } // namespace towform

@@ -1,7 +1,9 @@
 #pragma once
+#include "contact/facet.hpp"
 #include "contact/near_facet.hpp"
 #include "towform/surface_mesh.hpp"
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace towform {
@@ -18,16 +20,20 @@ public:
   /// The facet nearest to p within `bound` [m] (of equals, the lowest number), or -1.
   [[nodiscard]] int nearest(const Vec3& p, double bound) const;
 
-  /// All facets with a point within `radius` [m] of p, nearest first, replacing `found`.
-  void within(const Vec3& p, double radius, std::vector<NearFacet>& found) const;
+  /// The facets nearest to p within `bound` [m], nearest first (of equals, the lowest number), as many as
+  /// there are and `found` has room for; returns how many.
+  static constexpr std::size_t most_few = 16; ///< of `found`
+  std::size_t nearest_few(const Vec3& p, double bound, std::span<NearFacet> found) const;
 
-  [[nodiscard]] const std::array<Vec3, 3>& corners(int facet) const { return corners_[facet]; }
+  [[nodiscard]] const Facet& facet(int number) const { return facets_[number]; }
 
 private:
   struct Boxes;
   [[nodiscard]] int depth() const;
+  template <class Limit, class Visit>
+  void walk(const Vec3& p, const Limit& limit, const Visit& visit) const;
   std::unique_ptr<const Boxes> boxes_;
-  std::vector<std::array<Vec3, 3>> corners_;
+  std::vector<Facet> facets_;
 };
 
 } // namespace towform

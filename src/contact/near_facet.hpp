@@ -2,10 +2,10 @@
 
 namespace towform {
 
-/// A facet and its distance from some point [m].
+/// A facet and its distance from some point, rounded down: a bound [m].
 struct NearFacet {
   int facet = -1;
-  double distance = 0.0;
+  float distance = 0.0F;
 };
 
 } // namespace towform

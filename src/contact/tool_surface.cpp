@@ -15,15 +15,13 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
     highest_ = {std::max(highest_.x, p.x), std::max(highest_.y, p.y), std::max(highest_.z, p.z)};
   }
   std::map<std::pair<int, int>, int> facet_of_edge; // directed
-  facet_normal_.reserve(mesh_.triangles.size());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Triangle& corner = mesh_.triangles[t];
-    const std::array<Vec3, 3>& x = tree_.corners(static_cast<int>(t));
-    facet_normal_.push_back(normalized(cross(x[1] - x[0], x[2] - x[0])));
+    const auto& [x, normal, inward] = tree_.facet(static_cast<int>(t));
     for (int k = 0; k < 3; ++k) {
       facet_of_edge[{corner[k], corner[(k + 1) % 3]}] = static_cast<int>(t);
       const Vec3 out = normalized(x[(k + 1) % 3] - x[k]), back = normalized(x[(k + 2) % 3] - x[k]);
-      corner_normal_[corner[k]] += std::acos(std::clamp(dot(out, back), -1.0, 1.0)) * facet_normal_.back();
+      corner_normal_[corner[k]] += std::acos(std::clamp(dot(out, back), -1.0, 1.0)) * normal;
     }
   }
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -31,9 +29,9 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
       const int from = mesh_.triangles[t][k], to = mesh_.triangles[t][(k + 1) % 3];
       const auto other = facet_of_edge.find({to, from});
       border_edge_[t][k] = other == facet_of_edge.end();
-      edge_normal_[t][k] = facet_normal_[t];
+      edge_normal_[t][k] = tree_.facet(static_cast<int>(t)).normal;
       if (other != facet_of_edge.end())
-        edge_normal_[t][k] += facet_normal_[other->second];
+        edge_normal_[t][k] += tree_.facet(other->second).normal;
       else
         border_corner_[from] = border_corner_[to] = 1;
     }
@@ -44,25 +42,22 @@ SurfacePoint ToolSurface::with_side(const Vec3& p, int facet, const FacetPoint& 
   SurfacePoint result;
   result.facet = facet;
   result.point = near.point;
+  const Facet& f = tree_.facet(facet);
+  if (near.feature == Feature::inside) {
+    result.normal = f.normal;
+    result.distance = dot(f.normal, p - f.corner[0]);
+    return result;
+  }
   Vec3 normal;
-  switch (near.feature) {
-  case Feature::inside:
-    normal = facet_normal_[facet];
-    break;
-  case Feature::edge_0:
-  case Feature::edge_1:
-  case Feature::edge_2: {
+  if (near.feature < Feature::corner_0) {
     const int k = static_cast<int>(near.feature) - static_cast<int>(Feature::edge_0);
     normal = edge_normal_[facet][k];
     result.on_border = border_edge_[facet][k];
-    break;
-  }
-  default: {
+  } else {
     const int node =
         mesh_.triangles[facet][static_cast<int>(near.feature) - static_cast<int>(Feature::corner_0)];
     normal = corner_normal_[node];
     result.on_border = border_corner_[node] != 0;
-  }
   }
   const Vec3 away = p - near.point;
   const double distance = std::sqrt(near.distance_squared);
@@ -70,7 +65,7 @@ SurfacePoint ToolSurface::with_side(const Vec3& p, int facet, const FacetPoint& 
   result.distance = side * distance;
   // On the surface itself the shortest way has no direction: the facet's normal stands for it.
   constexpr double touching = 1e-12; // [m]
-  result.normal = distance > touching ? (side / distance) * away : facet_normal_[facet];
+  result.normal = distance > touching ? (side / distance) * away : f.normal;
   return result;
 }
 
@@ -78,26 +73,25 @@ SurfacePoint ToolSurface::nearest(const Vec3& p, int hint, double bound) const
 {
   if (hint >= 0)
     bound =
-        std::min(bound, std::sqrt(nearest_on_facet(tree_.corners(hint), p).distance_squared) * (1.0 + 1e-12));
+        std::min(bound, std::sqrt(nearest_on_facet(tree_.facet(hint), p).distance_squared) * (1.0 + 1e-12));
   const int facet = tree_.nearest(p, std::min(bound, 1e100));
   if (facet < 0) return {};
-  return with_side(p, facet, nearest_on_facet(tree_.corners(facet), p));
+  return with_side(p, facet, nearest_on_facet(tree_.facet(facet), p));
 }
 
 SurfacePoint ToolSurface::nearest_of(const Vec3& p, std::span<const NearFacet> facets, double moved) const
 {
   int best = facets.front().facet;
-  FacetPoint nearest = nearest_on_facet(tree_.corners(best), p);
-  double distance = std::sqrt(nearest.distance_squared);
+  FacetPoint nearest = nearest_on_facet(tree_.facet(best), p);
   for (const NearFacet& other : facets.subspan(1)) {
-    constexpr double rounding = 1e-12;                       // [m]
-    if (other.distance - moved > distance + rounding) break; // nor can any after it be nearer
-    const FacetPoint point = nearest_on_facet(tree_.corners(other.facet), p);
+    const double bound = other.distance - moved;
+    constexpr double rounding = 1.0 + 1e-9;
+    if (bound > 0.0 && bound * bound > rounding * nearest.distance_squared) break; // nor can any after it
+    const FacetPoint point = nearest_on_facet(tree_.facet(other.facet), p);
     if (point.distance_squared < nearest.distance_squared ||
         (point.distance_squared == nearest.distance_squared && other.facet < best)) {
       nearest = point;
       best = other.facet;
-      distance = std::sqrt(nearest.distance_squared);
     }
   }
   return with_side(p, best, nearest);

@@ -43,7 +43,6 @@ private:
 
   SurfaceMesh mesh_;
   FacetTree tree_;
-  std::vector<Vec3> facet_normal_;
   std::vector<std::array<Vec3, 3>> edge_normal_;
   std::vector<std::array<bool, 3>> border_edge_;
   std::vector<Vec3> corner_normal_; // of mesh points
