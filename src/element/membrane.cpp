@@ -1,4 +1,6 @@
 #include "element/membrane.hpp"
+#include "element/arcsine.hpp"
+#include "element/membrane_batch.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
@@ -67,13 +69,47 @@ void start(const Membrane& membrane, State& s)
 
 namespace {
 
+/// Fills the first places of a batch with what yarn vectors are made of.
+void gather_edges(const Membrane& membrane, std::span<const Vec3> position, std::ptrdiff_t first, int count,
+                  MembraneBatch& b)
+{
+  for (int i = 0; i < count; ++i) {
+    const Triangle& t = membrane.triangles[first + i];
+    const Vec3 d1 = position[t[1]] - position[t[0]], d2 = position[t[2]] - position[t[0]];
+    b.d1x[i] = d1.x;
+    b.d1y[i] = d1.y;
+    b.d1z[i] = d1.z;
+    b.d2x[i] = d2.x;
+    b.d2y[i] = d2.y;
+    b.d2z[i] = d2.z;
+    const YarnGradients& g = membrane.gradients[first + i];
+    b.warp_1[i] = g.warp_1;
+    b.warp_2[i] = g.warp_2;
+    b.weft_1[i] = g.weft_1;
+    b.weft_2[i] = g.weft_2;
+  }
+}
+
+/// work(first, count) on batches of elements.
+template <class Work>
+void in_batches(std::ptrdiff_t begin, std::ptrdiff_t end, const Work& work)
+{
+  for (std::ptrdiff_t first = begin; first < end; first += MembraneBatch::size)
+    work(first, static_cast<int>(std::min<std::ptrdiff_t>(MembraneBatch::size, end - first)));
+}
+
 void element_strains(const Membrane& membrane, State& s, std::ptrdiff_t begin, std::ptrdiff_t end)
 {
-  for (std::ptrdiff_t e = begin; e < end; ++e) {
-    const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
-    s.yarn_strain[2 * e] = y.lambda1 - 1.0;
-    s.yarn_strain[2 * e + 1] = y.lambda2 - 1.0;
-  }
+  MembraneBatch b;
+  in_batches(begin, end, [&](std::ptrdiff_t first, int count) {
+    gather_edges(membrane, s.position, first, count, b);
+    yarn_vectors(b, count);
+    double* strain = s.yarn_strain.data() + 2 * first;
+    for (int i = 0; i < count; ++i) {
+      strain[2 * i] = b.lambda1[i] - 1.0;
+      strain[2 * i + 1] = b.lambda2[i] - 1.0;
+    }
+  });
 }
 
 void strip_tensions(const Membrane& membrane, State& s, double dt, std::ptrdiff_t begin, std::ptrdiff_t end)
@@ -91,39 +127,68 @@ void strip_tensions(const Membrane& membrane, State& s, double dt, std::ptrdiff_
   }
 }
 
-template <class Law>
-void element_forces(const Membrane& membrane, const Law& law, State& s, double dt, std::ptrdiff_t begin,
-                    std::ptrdiff_t end)
+/// Tensions and the law's points of some elements.
+void gather_state(const Membrane& membrane, const State& s, std::ptrdiff_t first, int count, MembraneBatch& b)
 {
-  const auto tension = [&, spring = membrane.own_stiffness](YarnEntry entry) {
+  const auto tension = [&, spring = membrane.own_stiffness](std::ptrdiff_t entry) {
     const int strip = membrane.strips.of[entry];
     return s.strip_tension[strip] + spring * (s.yarn_strain[entry] - s.strip_strain[strip]);
   };
-  const double reference_angle = std::asin(membrane.reference_sine);
-  for (std::ptrdiff_t e = begin; e < end; ++e) {
-    const Triangle& t = membrane.triangles[e];
-    const YarnGradients& g = membrane.gradients[e];
-    const double area = membrane.area[e];
-    const YarnVectors y(t, g, s.position);
-    const double sine = std::clamp(dot(y.f1, y.f2), -1.0, 1.0);
+  for (int i = 0; i < count; ++i) {
+    const std::ptrdiff_t e = first + i;
+    b.area[i] = membrane.area[e];
+    b.old_sine[i] = s.sine[e];
+    const ShearPoint& p = s.shear[e];
+    b.old_angle[i] = p.angle;
+    b.old_force[i] = p.force;
+    b.rate[i] = p.rate;
+    b.tension_1[i] = tension(2 * e);
+    b.tension_2[i] = tension(2 * e + 1);
+  }
+}
 
-    ShearPoint& p = s.shear[e];
-    const double old_force = p.force;
-    const double lost = law.update(p, std::asin(sine) - reference_angle, dt);
-    s.shear_work[e] += area * 0.5 * (old_force + p.force) * (sine - s.sine[e]);
-    s.shear_dissipated[e] += area * lost * dt * std::sqrt(1.0 - sine * sine);
-    s.sine[e] = sine;
-
-    const auto warp = static_cast<YarnEntry>(2 * e);
-    const double tension_1 = tension(warp), tension_2 = tension(warp + 1);
-    const double n1 = p.force / y.lambda1, n2 = p.force / y.lambda2;
-    const Vec3 p1 = area * ((tension_1 - n1 * sine) * y.f1 + n1 * y.f2); // P . f01 times area
-    const Vec3 p2 = area * ((tension_2 - n2 * sine) * y.f2 + n2 * y.f1);
-    const Vec3 force_1 = -g.warp_1 * p1 - g.weft_1 * p2, force_2 = -g.warp_2 * p1 - g.weft_2 * p2;
+void store(const MembraneBatch& b, std::ptrdiff_t first, int count, State& s)
+{
+  for (int i = 0; i < count; ++i) {
+    const std::ptrdiff_t e = first + i;
+    s.sine[e] = b.sine[i];
+    s.shear[e] = {b.angle[i], b.force[i], b.rate[i]};
+    s.shear_work[e] += b.work[i];
+    s.shear_dissipated[e] += b.dissipated[i];
+    const Vec3 force_1{b.p1x[i], b.p1y[i], b.p1z[i]}, force_2{b.p2x[i], b.p2y[i], b.p2z[i]};
     s.corner_force[3 * e] = -(force_1 + force_2);
     s.corner_force[3 * e + 1] = force_1;
     s.corner_force[3 * e + 2] = force_2;
   }
+}
+
+/// Any law, point by point.
+template <class Law>
+void update(const Law& law, MembraneBatch& b, int count, double dt)
+{
+  for (int i = 0; i < count; ++i) {
+    ShearPoint p{b.old_angle[i], b.old_force[i], b.rate[i]};
+    b.lost[i] = law.update(p, b.angle[i], dt);
+    b.force[i] = p.force;
+    b.rate[i] = p.rate;
+  }
+}
+
+template <class Law>
+void element_forces(const Membrane& membrane, const Law& law, State& s, double dt, std::ptrdiff_t begin,
+                    std::ptrdiff_t end)
+{
+  const double reference_angle = arcsine(membrane.reference_sine);
+  MembraneBatch b;
+  in_batches(begin, end, [&](std::ptrdiff_t first, int count) {
+    gather_edges(membrane, s.position, first, count, b);
+    gather_state(membrane, s, first, count, b);
+    yarn_vectors(b, count);
+    shear_angles(b, count, reference_angle);
+    update(law, b, count, dt);
+    corner_forces(b, count, dt);
+    store(b, first, count, s);
+  });
 }
 
 } // namespace

@@ -10,26 +10,25 @@
 namespace towform {
 
 /// `"viscous"`: a Maxwell element, spring G in series with the sheet's own viscous surface N_s(theta, rate):
-/// N + G dt rate(N) = N_old + G dtheta with N = N_s(theta, rate), solved for the rate. The surface is concave
-/// and rising in the rate (shear thinning), so Newton from below is monotone; from above its first step
-/// undershoots.
+/// N + G dt rate(N) = N_old + G dtheta with N = N_s(theta, rate), solved for the rate cell by cell of the
+/// table, where it is linear. The surface is concave and rising in the rate (shear thinning), so the way from
+/// below is monotone; from above its first step undershoots.
 struct ViscousLaw {
   std::shared_ptr<const ShearTable> surface;
-  double modulus = 0.0; ///< G [N/m]
+  double modulus = 0.0;                  ///< G [N/m]
+  static constexpr int most_rounds = 50; ///< of looking for the rate's cell; two or three are usual
 
   /// Advances the point to `angle`; returns the power dissipated over cos(theta), |N| rate [W/m^2].
   double update(ShearPoint& p, double angle, double dt) const
   {
     const double trial = p.force + modulus * (angle - p.angle);
-    const double target = std::abs(trial);
-    const ShearTable::Slice along_rate = surface->slice(angle);
-    const double spring = modulus * dt;
+    const double target = std::abs(trial), spring = modulus * dt;
     double rate = p.rate;
-    for (int i = 0; i < max_iterations; ++i) {
-      const auto [force, slope] = along_rate.at(rate);
-      const double correction = (target - force - spring * rate) / (slope + spring);
-      rate = rate + correction > 0.0 ? rate + correction : 0.0;
-      if (std::abs(correction) * (slope + spring) <= tolerance * target) break;
+    for (int i = 0; i < most_rounds; ++i) {
+      const auto [found, unsettled] =
+          ShearTable::root(surface->forces(), surface->cells_per_radian(), angle, rate, target, spring);
+      rate = found;
+      if (unsettled == 0) break;
     }
     p.angle = angle;
     p.rate = rate;
@@ -56,9 +55,6 @@ private:
     const double rise = surface->force((low + 1.0) * cell, p.rate) - surface->force(low * cell, p.rate);
     return std::copysign(rise / cell, p.angle);
   }
-
-  static constexpr int max_iterations = 50;
-  static constexpr double tolerance = 1e-9;
 };
 
 /// `"incremental"`, the paper's: dN = dN_s/dtheta dtheta along the curve chosen by the rate (Eqs. 9-12); the

@@ -53,6 +53,35 @@ public:
     return {row, row + rate_points, u - cell};
   }
 
+  /// The rate that the spring of a Maxwell element leaves to its dashpot, as far as one cell tells.
+  struct Root {
+    double rate;
+    int unsettled; ///< 0 where the cell of the given rate holds it, else 1
+  };
+  /// Solves N_s(theta, rate) + spring rate = target in the cell of `rate`; again from the result until
+  /// settled. `spring` [N s/(m rad)]. Without branches, for loops that vectorise.
+  [[nodiscard]] static Root root(const double* forces, double cells_per_radian, double theta, double rate,
+                                 double target, double spring)
+  {
+    const double u = (theta < 0.0 ? -theta : theta) * cells_per_radian;
+    const double last = angle_cells - 1;
+    const auto row = static_cast<int>(u < last ? u : last); // the last also where u is not a number
+    const double weight = u - row;
+    const int cell = cell_of(rate);
+    const int low = row * rate_points + cell, high = low + rate_points;
+    const double f0 = forces[low] + weight * (forces[high] - forces[low]);
+    const double f1 = forces[low + 1] + weight * (forces[high + 1] - forces[low + 1]);
+    const double r0 = rate_of(cell), r1 = rate_of(cell + 1);
+    const double slope = (f1 - f0) / (r1 - r0);
+    const double found = (target - f0 + slope * r0) / (slope + spring);
+    const double result = found > 0.0 ? found : 0.0;
+    const double moved = result - rate;
+    const double far = (moved < 0.0 ? -moved : moved) - 1e-12 * rate;
+    return {result, cell_of(result) == cell ? 0 : far > 0.0 ? 1 : 0};
+  }
+  [[nodiscard]] const double* forces() const { return forces_.data(); }
+  [[nodiscard]] double cells_per_radian() const { return cells_per_radian_; }
+
   /// N_s [N/m].
   [[nodiscard]] double force(double theta, double rate) const { return slice(theta).at(rate).force; }
 
@@ -61,23 +90,22 @@ public:
   /// Point 0 is rate 0, point 1 the lowest rate of the first octave.
   static double rate_of(int point)
   {
-    if (point == 0) return 0.0;
-    const std::uint64_t position = static_cast<std::uint64_t>(point - 1) << shift;
-    return std::bit_cast<double>(lowest_bits + position);
+    const std::int64_t position = static_cast<std::int64_t>(point - 1) << shift;
+    const double rate = std::bit_cast<double>(lowest_bits + position);
+    return point == 0 ? 0.0 : rate;
   }
 
 private:
   static constexpr int rate_points = octaves * octave_cells + 2;
   static constexpr int shift = 52 - 3; // leaves the exponent and the first three bits of the mantissa
   static_assert(octave_cells == 1 << 3);
-  static constexpr std::uint64_t lowest_bits = static_cast<std::uint64_t>(1023 + lowest_exponent) << 52;
+  static constexpr std::int64_t lowest_bits = static_cast<std::int64_t>(1023 + lowest_exponent) << 52;
 
   static int cell_of(double rate)
   {
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(rate);
-    if (bits < lowest_bits) return 0;
-    const std::uint64_t cell = ((bits - lowest_bits) >> shift) + 1;
-    return cell < rate_points - 2 ? static_cast<int>(cell) : rate_points - 2;
+    const std::int64_t cell = ((std::bit_cast<std::int64_t>(rate) - lowest_bits) >> shift) + 1;
+    const std::int64_t from_below = cell > 0 ? cell : 0;
+    return static_cast<int>(from_below < rate_points - 2 ? from_below : rate_points - 2);
   }
 
   double cells_per_radian_;

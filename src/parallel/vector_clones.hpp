@@ -1,0 +1,11 @@
+#pragma once
+
+/// Marks a function whose loops the compiler vectorises: it is built for the plain machine and for wider
+/// vectors, and the loader picks what the processor has. Sums are not contracted or reordered
+/// (-ffp-contract=off), so every version gives the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
+    !defined(__SANITIZE_THREAD__)
+#define TOWFORM_VECTOR_CLONES __attribute__((target_clones("default", "avx2")))
+#else
+#define TOWFORM_VECTOR_CLONES
+#endif

@@ -1,0 +1,56 @@
+#include "element/arcsine.hpp"
+#include "element/membrane_batch.hpp"
+#include "material/gf_pp.hpp"
+#include "material/shear_resistance.hpp"
+#include <gtest/gtest.h>
+#include <memory>
+#include <random>
+
+namespace towform {
+namespace {
+
+TEST(Arcsine, IsExactToTheLastBits)
+{
+  for (int i = -100000; i <= 100000; ++i) {
+    const double x = i / 100000.0, exact = std::asin(x);
+    EXPECT_NEAR(arcsine(x), exact, 5e-16 * std::abs(exact)) << x;
+  }
+  EXPECT_EQ(arcsine(1.0), M_PI / 2.0);
+  EXPECT_EQ(arcsine(0.0), 0.0);
+  EXPECT_TRUE(std::isnan(arcsine(std::nan(""))));
+}
+
+/// Loading, unloading, rest and reversal at rates over many decades, side by side and point by point.
+TEST(MembraneBatch, AdvancesTheViscousLawToTheSameBits)
+{
+  const ShearResistance model(test::gf_pp_twill(), 1e-3, 463.15);
+  const ViscousLaw law{
+      std::make_shared<const ShearTable>([&](double theta, double rate) { return model.force(theta, rate); },
+                                         ShearResistance::max_angle),
+      1e5};
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> exponent(-4.0, 3.0), sign(-1.0, 1.0);
+  constexpr double dt = 4e-6;
+  const int count = 29; // not a whole number of vectors
+  MembraneBatch b{};
+  std::vector<ShearPoint> points(count);
+  for (int step = 0; step < 400; ++step) {
+    for (int i = 0; i < count; ++i) {
+      const double rate = sign(generator) * std::pow(10.0, exponent(generator));
+      b.angle[i] = std::clamp(points[i].angle + rate * dt, -1.4, 1.4);
+      b.old_angle[i] = points[i].angle;
+      b.old_force[i] = points[i].force;
+      b.rate[i] = points[i].rate;
+    }
+    update(law, b, count, dt);
+    for (int i = 0; i < count; ++i) {
+      const double lost = law.update(points[i], b.angle[i], dt);
+      ASSERT_EQ(b.force[i], points[i].force) << step << " " << i;
+      ASSERT_EQ(b.rate[i], points[i].rate);
+      ASSERT_EQ(b.lost[i], lost);
+    }
+  }
+}
+
+} // namespace
+} // namespace towform
