@@ -290,5 +290,41 @@ TEST(ToolSurface, SmoothFacesTurnNoMoreThanTheirChordErrorImplies)
   smooth("hemisphere", "holder", 5 * mm);
 }
 
+/// Distance of a point from the male dome's profile, whose crown is at z = 0: by looking everywhere on it.
+double distance_from_hill(const Vec3& p)
+{
+  const double d = std::hypot(std::max(std::abs(p.x) - 305 * mm, 0.0), p.y);
+  double best = 1.0;
+  constexpr int samples = 20000;
+  for (int i = 0; i <= samples; ++i) {
+    const double at = 0.15 * i / samples, t = std::clamp((at - 27 * mm) / (102.6 * mm), 0.0, 1.0);
+    best = std::min(best, std::hypot(d - at, p.z + 60 * mm * (1.0 - std::cos(std::numbers::pi * t))));
+  }
+  return best;
+}
+
+TEST(MaleDome, LiesOnTheExactHillAndThePressClosesAtItsGap)
+{
+  const auto look = [](const char* part, double crown_z, double gap) {
+    const SurfaceMesh m = build("male-dome", part);
+    double worst = 0.0;
+    int looked = 0;
+    for (std::size_t i = 0; i < m.triangles.size(); i += 29) {
+      const auto& [a, b, c] = m.triangles[i];
+      Vec3 middle = (1.0 / 3.0) * (m.points[a] + m.points[b] + m.points[c]);
+      middle.z -= crown_z;
+      if (middle.z > 10 * mm || middle.z < -115 * mm) continue;                     // the back and the flange
+      if (std::abs(middle.x) > 500 * mm || std::abs(middle.y) > 250 * mm) continue; // the walls
+      worst = std::max(worst, std::abs(distance_from_hill(middle) - gap));
+      ++looked;
+    }
+    EXPECT_GT(looked, 300) << part;
+    EXPECT_LT(worst, 0.1 * mm) << part;
+  };
+  look("mould", -0.5 * mm, 0.0);
+  // The press has come down by height + sheet - gap when closed.
+  look("press", -0.5 * mm + 118 * mm, 3 * mm);
+}
+
 } // namespace
 } // namespace towform::tool_tests

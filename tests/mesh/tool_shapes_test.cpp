@@ -35,6 +35,9 @@ std::vector<Case> cases()
       {"hemisphere", {{"opening-radius", 150 * mm}, {"chord-error", 0.1 * mm}}},
       {"hemisphere", {{"depth", 90 * mm}, {"chord-error", 0.5 * mm}, {"flange-width", 220 * mm}}},
       {"hemisphere", {{"dome-radius", 30 * mm}, {"holder-clearance", 5 * mm}, {"flange-length", 900 * mm}}},
+      {"male-dome", {}},
+      {"male-dome", {{"line-length", 200 * mm}, {"height", 40 * mm}, {"gap", 20 * mm}}},
+      {"male-dome", {{"crown", 60 * mm}, {"chord-error", 0.5 * mm}}},
   };
   std::vector<Case> all;
   for (const auto& [name, changes] : sets)
@@ -136,9 +139,13 @@ TEST(ToolShapes, StartsOnTheFacesOfTheSheet)
       for (const Vec3& p : m.points) z = {std::min(z.first, p.z), std::max(z.second, p.z)};
       return z;
     };
-    EXPECT_EQ(extent("punch").first, 1 * mm) << s.name;
-    EXPECT_EQ(extent("holder").first, 1 * mm) << s.name;
-    EXPECT_EQ(extent("die").second, -1 * mm) << s.name;
+    for (const std::string& part : s.parts) {
+      const auto [lowest, highest] = extent(part);
+      if (part == "die" || part == "mould")
+        EXPECT_EQ(highest, -1 * mm) << s.name << " " << part;
+      else
+        EXPECT_EQ(lowest, 1 * mm) << s.name << " " << part;
+    }
   }
 }
 

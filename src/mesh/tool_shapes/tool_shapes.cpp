@@ -95,6 +95,39 @@ ToolShape hemisphere()
   return shape;
 }
 
+ToolShape male_dome()
+{
+  ToolShape shape;
+  shape.name = "male-dome";
+  shape.meaning =
+      "a long hill with cosine flanks and round ends, and the press that closes over it: near the "
+      "double-size double dome of Pierce and Falzon 2017";
+  shape.parts = {"mould", "press"};
+  shape.parameters = {
+      length("line-length", 610 * mm, 5 * mm, 10,
+             "of the line along x that the hill is laid round; "
+             "read off published pictures"),
+      length("crown", 27 * mm, 1 * mm, 2, "half-width of the level top; read off published pictures"),
+      length("flank", 102.6 * mm, 5 * mm, 5,
+             "from the top's edge to the foot, in plan; read off published "
+             "pictures"),
+      length("height", 120 * mm, 1 * mm, 2, "of the hill; known"),
+      length("gap", 3 * mm, 0.1 * mm, 0.2,
+             "mould to press at closure, along the normal, when the press has "
+             "come down by height + sheet-thickness - gap; assumed"),
+      length("base", 20 * mm, 1 * mm, 2, "mould below the hill's foot and press above its crown; assumed"),
+      length("flange-length", 1100 * mm, 10 * mm, 10, "along x; assumed, for a blank of 800 x 500 mm"),
+      length("flange-width", 600 * mm, 10 * mm, 10, "along y; assumed, for a blank of 800 x 500 mm"),
+      length("sheet-thickness", 1 * mm, 0.01 * mm, 50 * mm,
+             "the tools start on both faces of this sheet, mid-plane z = 0"),
+      length("chord-error", 0.1 * mm, 0.001 * mm, 5 * mm, "farthest a facet may be from the exact surface"),
+  };
+  shape.builder = [p = shape.parameters](const std::string& part, const std::vector<double>& values) {
+    return shapes::build_male_dome(part, shapes::Values(p, values));
+  };
+  return shape;
+}
+
 std::string shown(const ShapeParameter& parameter, double value)
 {
   return parameter.is_angle ? fmt::format("{:.6g} deg", value / degree) : shapes::millimetres(value);
@@ -131,7 +164,7 @@ SurfaceMesh ToolShape::build(const std::string& part, const std::vector<double>&
 
 const std::vector<ToolShape>& tool_shapes()
 {
-  static const std::vector<ToolShape> shapes{double_dome(), hemisphere()};
+  static const std::vector<ToolShape> shapes{double_dome(), hemisphere(), male_dome()};
   return shapes;
 }
 

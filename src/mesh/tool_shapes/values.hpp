@@ -27,5 +27,6 @@ private:
 
 SurfaceMesh build_double_dome(const std::string& part, const Values& values);
 SurfaceMesh build_hemisphere(const std::string& part, const Values& values);
+SurfaceMesh build_male_dome(const std::string& part, const Values& values);
 
 } // namespace towform::shapes
