@@ -1,4 +1,5 @@
 #include "contact/contact.hpp"
+#include "contact/contact_batch.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,7 @@ namespace towform {
 namespace {
 
 /// Nodes are taken in blocks: a block belongs to one thread, and sums run over blocks in their order.
-constexpr int block_size = 128;
+constexpr int block_size = ContactBatch::size;
 
 struct BlockSums {
   Vec3 reaction;
@@ -47,34 +48,6 @@ SurfacePoint find_nearest(const ToolSurface& surface, const Vec3& p, double half
   return nearest;
 }
 
-/// What a node's tangential contact is made of.
-struct Friction {
-  double stiffness; ///< of the stick spring [N/m]
-  double damping;   ///< beside it [N s/m]
-  double limit;     ///< mu times the normal force [N]
-};
-
-/// Stick-slip return mapping: stretches the spring by the tangential movement of a step, lets it slip back to
-/// the cone. The dashpot acts while the node sticks. Returns the force on the node.
-Vec3 friction_force(const Friction& f, const Vec3& normal, const Vec3& movement, double dt, Vec3& stick,
-                    double& dissipated)
-{
-  const Vec3 tangential = movement - dot(movement, normal) * normal;
-  const Vec3 trial = stick - dot(stick, normal) * normal + tangential;
-  const double stretch = norm(trial);
-  stick = trial;
-  if (f.stiffness * stretch > f.limit) {
-    stick *= f.limit / (f.stiffness * stretch);
-    dissipated += f.limit * (stretch - f.limit / f.stiffness);
-    return -f.stiffness * stick;
-  }
-  Vec3 force = -f.stiffness * stick - (f.damping / dt) * tangential;
-  const double size = norm(force);
-  if (size > f.limit) force *= f.limit / size;
-  dissipated -= dot(force + f.stiffness * stick, tangential);
-  return force;
-}
-
 } // namespace
 
 void start(const Contact&, std::size_t nodes, ContactState& c)
@@ -97,7 +70,8 @@ void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_st
   std::vector<BlockSums> sums(static_cast<std::size_t>(blocks));
 
   parallel_each(blocks, [&](int block) {
-    BlockSums& sum = sums[block];
+    ContactBatch batch;
+    batch.count = 0;
     for (int n = block * block_size; n < std::min(nodes, (block + 1) * block_size); ++n) {
       if (c.travel < c.wake[n]) continue;
       const SurfacePoint nearest = find_nearest(tool.surface, s.position[n] - shift, half, c.memory[n]);
@@ -109,23 +83,23 @@ void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_st
         c.stick[n] = {};
         continue;
       }
-      const Vec3 relative = s.velocity[n] - velocity;
-      const double stiffness = contact.stiffness[n], closing = -dot(relative, nearest.normal);
-      const double elastic = -stiffness * gap;
-      const double damped = std::max(elastic + contact.damping[n] * closing, 0.0); // never pulls
-      const Friction friction{contact.stick_ratio * stiffness, contact.damping[n], tool.friction * damped};
-      Vec3 force = damped * nearest.normal;
-      if (tool.friction > 0.0)
-        force +=
-            friction_force(friction, nearest.normal, dt * relative, dt, c.stick[n], sum.energies.friction);
+      batch.add(n, nearest.normal, gap, s.velocity[n] - velocity, contact.stiffness[n], contact.damping[n],
+                c.stick[n]);
+    }
+    push(batch, contact.stick_ratio, tool.friction, dt);
+    BlockSums& sum = sums[block];
+    for (int i = 0; i < batch.count; ++i) {
+      const int n = batch.node[i];
+      const Vec3 force{batch.fx[i], batch.fy[i], batch.fz[i]};
       s.force[n] += force;
-      c.normal_force[n] = damped;
+      c.normal_force[n] = batch.normal_force[i];
+      c.stick[n] = {batch.sx[i], batch.sy[i], batch.sz[i]};
       sum.reaction -= force;
-      sum.energies.damping += (damped - elastic) * closing * dt;
-      sum.energies.elastic +=
-          0.5 * stiffness * gap * gap + 0.5 * friction.stiffness * norm_squared(c.stick[n]);
-      if (-gap > sum.penetration) {
-        sum.penetration = -gap;
+      sum.energies.damping += batch.damped[i];
+      sum.energies.friction += batch.rubbed[i];
+      sum.energies.elastic += batch.elastic[i];
+      if (-batch.gap[i] > sum.penetration) {
+        sum.penetration = -batch.gap[i];
         sum.deepest_node = n;
       }
     }
