@@ -42,8 +42,9 @@ def mesh(radius, rings, quadrilaterals):
 
 
 def text(nodes, triangles, quads, edge):
-    radius = nodes[-len(edge)][0]
-    box = f"{-radius:.9g} {-radius:.9g} 0 {radius:.9g} {radius:.9g} 0"
+    """The file of any flat mesh: places (x, y), and elements and sides of the outline by node numbers from 1."""
+    low, high = ([pick(c) for c in zip(*nodes)] for pick in (min, max))
+    box = f"{low[0]:.9g} {low[1]:.9g} 0 {high[0]:.9g} {high[1]:.9g} 0"
     lines = ["$MeshFormat", "4.1 0 8", "$EndMeshFormat"]
     lines += ["$Entities", "0 1 1 0", f"1 {box} 0 0", f"1 {box} 0 1 1", "$EndEntities"]  # Gmsh itself needs them
     lines += ["$Nodes", f"1 {len(nodes)} 1 {len(nodes)}", f"2 1 0 {len(nodes)}"]

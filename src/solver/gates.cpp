@@ -27,6 +27,15 @@ std::string place_of_element(const Model& model, int element)
       code, fmt::format("stopped at t = {:.6g} ms, step {}: {}", 1e3 * s.sheet.time, s.sheet.step, what));
 }
 
+/// What to change about a penetration: a tool that moves by much of the limit in a step comes in unresisted.
+std::string way_out(const DeepestContact& deepest, double limit)
+{
+  constexpr double much = 0.25;
+  if (deepest.moved < much * limit) return "raise contact.penalty or refine the blank";
+  return fmt::format("the tool moved {:.3g} mm in that step: press more slowly or scale the mass less",
+                     1e3 * deepest.moved);
+}
+
 /// Fractions of the run before which ratios of small energies say nothing.
 constexpr double energy_from = 0.25, kinetic_from = 0.5;
 
@@ -34,8 +43,7 @@ constexpr double energy_from = 0.25, kinetic_from = 0.5;
 
 void check_motion(const Model& model, const System& s)
 {
-  const double density = model.element_mass.front() / model.membrane.area.front(); // per area
-  const double wave_speed = std::sqrt(model.membrane.yarn.stiffness / density);
+  const double wave_speed = model.wave_speed;
   for (std::size_t i = 0; i < s.tools.size(); ++i)
     if (!(std::abs(s.tools[i].velocity) < wave_speed)) // it could pass through the sheet between two steps
       stop(
@@ -57,29 +65,31 @@ void check_motion(const Model& model, const System& s)
 }
 
 void check_gates(const GateParameters& gates, const Model& model, const System& s, const Energies& energies,
-                 const FieldExtremes& extremes, double fraction, double kinetic_ratio)
+                 const FieldExtremes& extremes, const DeepestContact& deepest, double fraction,
+                 double kinetic_ratio)
 {
-  for (std::size_t i = 0; i < s.contacts.size(); ++i)
-    if (s.contacts[i].penetration > gates.penetration)
-      stop(ExitCode::contact_gate, s,
-           fmt::format("{} is {:.3g} mm inside tool '{}', limit gates.penetration = {:.3g} mm; raise "
-                       "contact.penalty or refine the blank",
-                       place_of_node(model, s.contacts[i].deepest_node), 1e3 * s.contacts[i].penetration,
-                       model.tools[model.contacts[i].tool].name, 1e3 * gates.penetration));
-  if (fraction >= energy_from && energies.error() > gates.energy_error)
+  // Written so that what is not a number passes none of them.
+  if (!(deepest.depth <= gates.penetration))
+    stop(ExitCode::contact_gate, s,
+         fmt::format(
+             "{} was {:.3g} mm inside tool '{}' at t = {:.6g} ms, limit gates.penetration = {:.3g} mm; {}",
+             place_of_node(model, deepest.node), 1e3 * deepest.depth,
+             model.tools[model.contacts[deepest.contact].tool].name, 1e3 * deepest.time,
+             1e3 * gates.penetration, way_out(deepest, gates.penetration)));
+  if (fraction >= energy_from && !(energies.error() <= gates.energy_error))
     stop(
         ExitCode::stability_gate, s,
         fmt::format(
             "the energy account is off by {:.2f} % of the external work, limit gates.energy_error = {:.2f} %",
             100.0 * energies.error(), 100.0 * gates.energy_error));
-  if (fraction >= kinetic_from && kinetic_ratio > gates.kinetic_to_internal)
+  if (fraction >= kinetic_from && !(kinetic_ratio <= gates.kinetic_to_internal))
     stop(
         ExitCode::stability_gate, s,
         fmt::format(
             "kinetic energy is {:.1f} % of internal and dissipated energy, limit gates.kinetic_to_internal = "
             "{:.1f} %: press more slowly or scale the mass less",
             100.0 * kinetic_ratio, 100.0 * gates.kinetic_to_internal));
-  if (extremes.strain_p99 > gates.yarn_strain)
+  if (!(extremes.strain_p99 <= gates.yarn_strain))
     stop(ExitCode::stability_gate, s,
          fmt::format("1 % of the elements strain their yarns by more than {:.2f} %, limit gates.yarn_strain "
                      "= {:.2f} %; "

@@ -84,6 +84,10 @@ void set_inertia(const Case& c, Model& model)
   }
   model.added_mass_fraction =
       std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0;
+  double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
+  for (std::size_t e = 0; e < membrane.area.size(); ++e)
+    lightest = std::min(lightest, model.element_mass[e] / membrane.area[e]);
+  model.wave_speed = std::sqrt(membrane.yarn.stiffness / lightest);
   model.mass = lumped(membrane, model.element_mass, sheet.position.size());
   model.first_step = model.step_factor * bound().at(sheet).step;
 

@@ -20,6 +20,7 @@ struct Model {
   std::vector<double> element_mass; ///< m, with mass scaling [kg]
   std::vector<double> mass;         ///< n, lumped [kg]
   double added_mass_fraction = 0.0; ///< by mass scaling, over the sheet's own
+  double wave_speed = 0.0;          ///< fastest of the yarns' waves [m/s]
   double mass_damping = 0.0;        ///< [1/s]
   double shear_modulus = 0.0;       ///< bound of dN/dtheta, for the stable step [N/m]
   double step_factor = 1.0;         ///< step over the sheet's stable step: safety, and room for contact

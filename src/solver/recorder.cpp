@@ -1,8 +1,9 @@
 #include "solver/recorder.hpp"
-#include "solver/gates.hpp"
 #include "solver/provenance.hpp"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace towform {
 
@@ -43,7 +44,12 @@ Recorder::Recorder(const Case& c, const Model& model, const std::filesystem::pat
 
 void Recorder::watch(const System& s, double dt)
 {
-  for (const ContactState& c : s.contacts) penetration_ = std::max(penetration_, c.penetration);
+  for (std::size_t i = 0; i < s.contacts.size(); ++i) {
+    const ContactState& c = s.contacts[i];
+    if (c.penetration <= deepest_.depth) continue;
+    const double moved = std::abs(s.tools[model_.contacts[i].tool].velocity) * dt;
+    deepest_ = {c.penetration, static_cast<int>(i), c.deepest_node, moved, s.sheet.time};
+  }
   for (std::size_t i = 0; i < s.tools.size(); ++i)
     if (model_.tools[i].motion)
       summary_.punch_force_max_N =
@@ -74,7 +80,7 @@ void Recorder::measure(const System& s)
   summary_.draw_in_x_mid_mm = 1e3 * draw_in_.x_mid;
   summary_.draw_in_y_mid_mm = 1e3 * draw_in_.y_mid;
   summary_.draw_in_corner_mm = 1e3 * draw_in_.corner;
-  summary_.penetration_max_mm = std::max(summary_.penetration_max_mm, 1e3 * penetration_);
+  summary_.penetration_max_mm = std::max(summary_.penetration_max_mm, 1e3 * deepest_.depth);
   summary_.energies_J = listed(energies_);
 }
 
@@ -90,12 +96,12 @@ void Recorder::history(const System& s)
   for (std::size_t i = 0; i < s.boundaries.size(); ++i)
     if (model_.boundaries[i].motion) row.push_back(s.boundaries[i].displacement);
   for (const auto& [kind, value] : listed(energies_)) row.push_back(value);
-  row.insert(row.end(),
-             {energies_.error(), kinetic_to_internal(energies_), 1e3 * draw_in_.x_mid, 1e3 * draw_in_.y_mid,
-              1e3 * draw_in_.corner, summary_.shear_angle_max_deg, extremes_.strain_p99, 1e3 * penetration_});
+  row.insert(row.end(), {energies_.error(), kinetic_to_internal(energies_), 1e3 * draw_in_.x_mid,
+                         1e3 * draw_in_.y_mid, 1e3 * draw_in_.corner, summary_.shear_angle_max_deg,
+                         extremes_.strain_p99, 1e3 * deepest_.depth});
   history_->append(row);
-  penetration_ = 0.0;
-  check_gates(case_.gates, model_, s, energies_, extremes_, s.sheet.time / case_.time.end,
+  const DeepestContact deepest = std::exchange(deepest_, {});
+  check_gates(case_.gates, model_, s, energies_, extremes_, deepest, s.sheet.time / case_.time.end,
               kinetic_to_internal(energies_));
 }
 

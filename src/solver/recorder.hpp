@@ -1,5 +1,6 @@
 #pragma once
 #include "solver/energy.hpp"
+#include "solver/gates.hpp"
 #include "solver/measure.hpp"
 #include "solver/model.hpp"
 #include "solver/progress.hpp"
@@ -41,7 +42,7 @@ private:
   Energies energies_;
   FieldExtremes extremes_;
   DrawIn draw_in_;
-  double penetration_ = 0.0; ///< deepest of any step since the last row [m]
+  DeepestContact deepest_; ///< since the last row
 };
 
 } // namespace towform

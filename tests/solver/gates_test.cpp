@@ -1,5 +1,6 @@
 #include "output/hdf5.hpp"
 #include "press_case.hpp"
+#include "solver/model.hpp"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -79,6 +80,34 @@ TEST_F(Gate, Penetration)
   expect_says(message, " mm inside tool '");
   EXPECT_TRUE(std::regex_search(message, std::regex("node [0-9]+ \\(x = -?[0-9.]+, y = -?[0-9.]+ mm")))
       << message;
+}
+
+TEST_F(Gate, PenetrationBetweenOutputs)
+{
+  // One row of history, at the end: what a run was in between counts too.
+  const std::string message =
+      stop({"gates.penetration=1e-6", "output.history=1", "output.frames=1"}, ExitCode::contact_gate);
+  EXPECT_TRUE(std::regex_search(message, std::regex(" mm inside tool '\\w+' at t = [0-4]\\.[0-9]+ ms")))
+      << message;
+}
+
+TEST_F(Gate, PenetrationOfAToolThatLeapsNamesTheLeap)
+{
+  const std::string message =
+      stop({"tool.ball.motion.displacement=-0.4", "gates.penetration=1e-5"}, ExitCode::contact_gate);
+  expect_says(message, "mm in that step: press more slowly");
+}
+
+TEST_F(Gate, SelectiveMassScalingLeavesTheFastestWavesAsTheyAre)
+{
+  // Element 0 made heavy: waves are slower in it, not in the sheet.
+  const Case c = read({"time.step=50 us", "blank.pattern=unstructured"});
+  const Model model = build_model(c);
+  EXPECT_GT(model.added_mass_fraction, 0.1);
+  EXPECT_LE(model.wave_speed, 822.1);
+  for (std::size_t e = 0; e < model.element_mass.size(); ++e)
+    EXPECT_GE(model.wave_speed,
+              std::sqrt(model.membrane.yarn.stiffness * model.membrane.area[e] / model.element_mass[e]));
 }
 
 TEST_F(Gate, YarnStrain)
