@@ -77,11 +77,11 @@ void check_gates(const GateParameters& gates, const Model& model, const System& 
              model.tools[model.contacts[deepest.contact].tool].name, 1e3 * deepest.time,
              1e3 * gates.penetration, way_out(deepest, gates.penetration)));
   if (fraction >= energy_from && !(energies.error() <= gates.energy_error))
-    stop(
-        ExitCode::stability_gate, s,
-        fmt::format(
-            "the energy account is off by {:.2f} % of the external work, limit gates.energy_error = {:.2f} %",
-            100.0 * energies.error(), 100.0 * gates.energy_error));
+    stop(ExitCode::stability_gate, s,
+         fmt::format("the energy account is off by {:.2f} % of the external work, limit gates.energy_error = "
+                     "{:.2f} %; "
+                     "lower contact.penalty, which stiffens impacts, or time.safety",
+                     100.0 * energies.error(), 100.0 * gates.energy_error));
   if (fraction >= kinetic_from && !(kinetic_ratio <= gates.kinetic_to_internal))
     stop(
         ExitCode::stability_gate, s,

@@ -4,6 +4,7 @@
 #include "parallel/parallel.hpp"
 #include "solver/events.hpp"
 #include "solver/gates.hpp"
+#include "solver/mesh_warnings.hpp"
 #include "solver/model.hpp"
 #include "solver/progress.hpp"
 #include "solver/recorder.hpp"
@@ -63,20 +64,6 @@ std::string headline(const Case& c, const Model& model)
                      threads(), threads() == 1 ? "" : "s");
 }
 
-/// Triangles that cross the yarns lock when a stiff spring ties each to its strip: a mesh whose nodes are a
-/// fifth of an edge off the yarns gave a hemisphere's shear 0.7 degrees off with a strip_stiffness of
-/// 100, 1.2 with 500 and 2.4 with 1500.
-std::string locking(const Case& c, const Model& model)
-{
-  constexpr double harmless = 200.0;
-  if (model.membrane.strips.size() == model.membrane.strips.of.size() ||
-      c.material.strip_stiffness <= harmless || follows_yarns(model.blank))
-    return "";
-  return fmt::format("strip_stiffness locks: {} is for meshes along the yarns, and this one crosses them; "
-                     "leave out material.strip_stiffness",
-                     c.material.strip_stiffness);
-}
-
 /// Above this the sheet's inertia shapes the answer, as it does in a fast press: the user should know.
 constexpr double inertia_matters = 0.1;
 
@@ -127,7 +114,10 @@ RunOutcome run(const Case& c, const RunOptions& options)
   Summary& summary = recorder.summary();
   summary.threads = threads();
   progress.line(headline(c, model));
-  if (const std::string said = locking(c, model); !said.empty()) progress.line(said);
+  if (std::string said = mesh_warnings(c, model); !said.empty()) {
+    said.pop_back(); // the log ends its lines itself
+    progress.line(said);
+  }
 
   RunOutcome outcome;
   Phases phases;
@@ -178,7 +168,7 @@ std::string describe_run(const Case& c)
                       1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
                       100.0 * model.added_mass_fraction, direction(model.blank.warp),
                       direction(model.blank.weft), 100.0 * model.material.curves->fit_error);
-  if (const std::string said = locking(c, model); !said.empty()) text += said + '\n';
+  text += mesh_warnings(c, model);
   for (const Bending& bending : model.bending)
     text += fmt::format("bending stiffness {:.3g} / {:.3g} mN m (warp / weft{})\n",
                         1e3 * bending.warp.stiffness(), 1e3 * bending.weft.stiffness(),
