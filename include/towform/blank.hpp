@@ -31,6 +31,7 @@ struct BlankParameters {
   Pattern pattern = Pattern::diagonal;
   ElementShape element = ElementShape::triangle;
   double thickness = 0.0; ///< [m]
+  Vec2 tilt;              ///< of the blank as it lies at the start: about x, then about y [rad]
   Symmetry symmetry = Symmetry::none;
 };
 
@@ -39,7 +40,11 @@ struct Blank {
   SurfaceMesh mesh;                    ///< flat, counter-clockwise seen from +z
   Vec3 warp, weft;                     ///< unit reference yarn directions f01, f02
   double thickness = 0.0;              ///< [m]
+  Vec2 tilt;                           ///< about x, then about y [rad]
   std::vector<int> mirror_x, mirror_y; ///< nodes on the symmetry planes x = 0 and y = 0, ascending
+
+  /// Where the nodes are at the start: the flat mesh, tilted about the origin.
+  [[nodiscard]] std::vector<Vec3> start_positions() const;
 };
 
 /// Reads the mesh of the blank, or meshes the rectangle. A grid that lies along the rectangle's sides is cut

@@ -50,8 +50,15 @@ struct TimeParameters {
   double mass_damping = 0.0;  ///< force -a m v on every node [1/s]
 };
 
+/// A point of a pressure over time.
+struct PressurePoint {
+  double time = 0.0;     ///< [s]
+  double pressure = 0.0; ///< [Pa]
+};
+
 struct LoadParameters {
-  Vec3 gravity; ///< acceleration of every part of the sheet [m/s^2]
+  Vec3 gravity;                        ///< acceleration of every part of the sheet [m/s^2]
+  std::vector<PressurePoint> pressure; ///< on the face that looks along +z at the start; empty without
 };
 
 struct ContactParameters {

@@ -32,12 +32,26 @@ struct Checker {
   {
     if (!given("blank")) return;
     yarns();
+    tilt();
     if (given("blank.mesh")) return imported_blank();
     if (given("blank.elements") && given("blank.edge"))
       issue("blank.edge", "blank has both elements and edge; give one");
     if (!given("blank.elements") && !given("blank.edge")) issue("blank", "blank needs elements or edge");
     if (c.blank.element == ElementShape::quadrilateral && c.solver != SolverKind::implicit)
       issue("blank.element", "blank.element \"quadrilateral\" needs solver = \"implicit\"");
+  }
+
+  void tilt() const
+  {
+    const Vec2 tilt = c.blank.tilt;
+    if (tilt == Vec2{}) return;
+    const Symmetry symmetry = c.blank.symmetry;
+    if ((tilt.y != 0.0 && (symmetry == Symmetry::x || symmetry == Symmetry::quarter)) ||
+        (tilt.x != 0.0 && (symmetry == Symmetry::y || symmetry == Symmetry::quarter)))
+      issue("blank.tilt", "blank.tilt turns the blank off a mirror plane of blank.symmetry");
+    if (!c.boundaries.empty()) issue("blank.tilt", "blank.tilt: boundaries hold the edges of a flat blank");
+    if (c.solver == SolverKind::implicit)
+      issue("blank.tilt", "the implicit solver takes a flat blank: leave out blank.tilt");
   }
 
   void imported_blank() const
@@ -126,6 +140,8 @@ struct Checker {
     if ((half_x && c.load.gravity.x != 0.0) || (half_y && c.load.gravity.y != 0.0))
       issue("load.gravity", "load.gravity pulls the sheet off a mirror plane of blank.symmetry");
     const bool any = c.load.gravity != Vec3{};
+    if (!c.load.pressure.empty() && c.solver == SolverKind::implicit)
+      issue("load.pressure", "the implicit solver knows no pressure: take the explicit one");
     if (any && c.solver == SolverKind::implicit)
       issue("load.gravity", "the implicit solver knows no gravity: take the explicit one");
   }

@@ -87,6 +87,7 @@ std::vector<Row> all_rows()
     {"blank.pattern", words(AT(c.blank.pattern), {"cross", "diagonal", "unstructured"}), D::none, "diagonal", "", "how squares become triangles; unstructured has no grid", "", false, rectangle},
     {"blank.element", words(AT(c.blank.element), {"triangle", "quadrilateral"}), D::none, "triangle", "", "quadrilateral needs solver = \"implicit\" and keeps the grid's squares whole", "", false, rectangle},
     {"blank.thickness", AT(c.blank.thickness), D::length, required, "1 um .. 0.1 m", "of the whole sheet at the start"},
+    {"blank.tilt", AT(c.blank.tilt), D::angle, "[0, 0]", "", "of the blank as it lies at the start, about x and then about y; explicit solver only"},
     {"blank.symmetry", words(AT(c.blank.symmetry), {"none", "x", "y", "quarter"}), D::none, "none", "", "x models the half x >= 0, y the half y >= 0, quarter both; a mesh has to be that part, its nodes on x = 0 and y = 0 are on the mirrors"},
 
     {"material.card", AT(c.material.card), D::none, optional, "", "gives the keys of this table that the case does not: a name in a folder cards, or a path ending in .toml"},
@@ -156,6 +157,7 @@ std::vector<Row> all_rows()
     {"boundary.motion.table", MotionTable{}, D::none, optional, "", "[[time, value], …] of profile table, values with a unit of length or velocity"},
 
     {"load.gravity", AT(c.load.gravity), D::acceleration, "[0, 0, 0]", "", "acceleration of every part of the sheet; explicit solver only"},
+    {"load.pressure", AT(c.load.pressure), D::pressure, optional, "", "on the face of the sheet that looks along +z at the start, square to the sheet wherever it goes: one value or [[time, pressure], …], straight lines between the points; explicit solver only"},
 
     {"time.end", AT(c.time.end), D::time, required, "> 0", "of the run"},
     {"time.safety", AT(c.time.safety), D::none, "0.9", "> 0, <= 1", "step over the stable step"},

@@ -41,11 +41,11 @@ struct MotionAmount {
 struct MotionTable {};
 
 /// Where a key's value lives, and thereby its type.
-using Binding =
-    std::variant<At<double>, At<std::optional<double>>, At<int>, At<std::optional<int>>, At<std::string>,
-                 At<std::filesystem::path>, At<Vec2>, At<std::optional<Vec2>>, At<Vec3>,
-                 At<std::optional<Vec3>>, Words, MotionAmount, MotionTable, At<std::vector<double>>,
-                 At<std::vector<ViscosityPoint>>, At<std::vector<BendingPoint>>>;
+using Binding = std::variant<At<double>, At<std::optional<double>>, At<int>, At<std::optional<int>>,
+                             At<std::string>, At<std::filesystem::path>, At<Vec2>, At<std::optional<Vec2>>,
+                             At<Vec3>, At<std::optional<Vec3>>, Words, MotionAmount, MotionTable,
+                             At<std::vector<double>>, At<std::vector<ViscosityPoint>>,
+                             At<std::vector<BendingPoint>>, At<std::vector<PressurePoint>>>;
 
 /// A default that says there is none.
 inline const std::string required = "required"; ///< the case (or its card) must give the key

@@ -72,6 +72,13 @@ std::string get_key(const Row& row, Target& target)
                   fmt::format("[{}, {}]", written(p.curvature, Dimension::curvature), number(p.moment)));
             return points.empty() ? "" : fmt::format("[{}]", fmt::join(points, ", "));
           },
+          [&](At<std::vector<PressurePoint>> at) -> std::string {
+            std::vector<std::string> points;
+            for (const PressurePoint& p : at(target))
+              points.push_back(fmt::format("[{}, {}]", written(p.time, Dimension::time), number(p.pressure)));
+            if (points.size() == 1) return number(at(target).front().pressure);
+            return points.empty() ? "" : fmt::format("[{}]", fmt::join(points, ", "));
+          },
       },
       row.binding);
 }
@@ -97,6 +104,7 @@ std::string type_of(const Row& row)
           [&](At<std::vector<double>>) { return "list of " + name + "s"; },
           [](At<std::vector<ViscosityPoint>>) { return std::string("table"); },
           [](At<std::vector<BendingPoint>>) { return std::string("table"); },
+          [&](At<std::vector<PressurePoint>>) { return name + " or table"; },
       },
       row.binding);
 }

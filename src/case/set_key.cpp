@@ -94,7 +94,7 @@ struct Reading {
   [[nodiscard]] std::optional<std::array<double, N>> reals(const Value& value) const
   {
     if (value.kind != Kind::list || value.items.size() != N) {
-      must_be(value, type_of(row) + (N == 2 ? ", such as [\"650 mm\", \"450 mm\"]"
+      must_be(value, type_of(row) + (N == 2 ? fmt::format(", such as [{0}, {0}]", example(row.dimension))
                                      : row.dimension == Dimension::length ? ", such as [0, 0, \"5 mm\"]"
                                                                           : ", such as [1, 0, 0]"));
       return {};
@@ -231,6 +231,32 @@ struct Reading {
     return points;
   }
 
+  /// One value for all times, or a table.
+  [[nodiscard]] std::vector<PressurePoint> pressure_points(const Value& value) const
+  {
+    std::vector<PressurePoint> points;
+    if (value.kind != Kind::list) {
+      if (const auto constant = real(value, row.dimension)) points.push_back({0.0, *constant});
+      return points;
+    }
+    if (value.items.size() < 2)
+      must_be(value, "a pressure or two or more points, such as [[0, 0], [\"5 ms\", \"50 kPa\"]]");
+    for (const Value& item : value.items) {
+      if (item.kind != Kind::list || item.items.size() != 2) {
+        must_be(item, "a point [time, pressure]");
+        continue;
+      }
+      const auto time = real(item.items[0], Dimension::time);
+      const auto pressure = real(item.items[1], row.dimension);
+      if (!time || !pressure) continue;
+      if (*time < 0.0) wrong(item.items[0], "must be >= 0");
+      if (!points.empty() && *time <= points.back().time)
+        wrong(item.items[0], "must be later than the point before it");
+      points.push_back({*time, *pressure});
+    }
+    return points;
+  }
+
   void motion_table(const Value& table) const
   {
     if (table.kind != Kind::list || table.items.size() < 2)
@@ -292,6 +318,7 @@ void set_key(const Row& row, const Value& value, Target& target, std::vector<Inp
                  [&](At<std::vector<double>> at) { at(target) = reading.real_list(value); },
                  [&](At<std::vector<ViscosityPoint>> at) { at(target) = reading.viscosity_points(value); },
                  [&](At<std::vector<BendingPoint>> at) { at(target) = reading.bending_points(value); },
+                 [&](At<std::vector<PressurePoint>> at) { at(target) = reading.pressure_points(value); },
              },
              row.binding);
 }

@@ -122,6 +122,18 @@ SurfaceMesh imported_mesh(const BlankParameters& b)
 
 } // namespace
 
+std::vector<Vec3> Blank::start_positions() const
+{
+  std::vector<Vec3> positions = mesh.points;
+  if (tilt == Vec2{}) return positions;
+  const double cx = std::cos(tilt.x), sx = std::sin(tilt.x), cy = std::cos(tilt.y), sy = std::sin(tilt.y);
+  for (Vec3& p : positions) {
+    const Vec3 about_x{p.x, cx * p.y - sx * p.z, sx * p.y + cx * p.z};
+    p = {cy * about_x.x + sy * about_x.z, about_x.y, cy * about_x.z - sy * about_x.x};
+  }
+  return positions;
+}
+
 Blank make_blank(const BlankParameters& parameters)
 {
   validate(parameters);
@@ -132,6 +144,7 @@ Blank make_blank(const BlankParameters& parameters)
   blank.warp = yarns.warp;
   blank.weft = yarns.weft;
   blank.thickness = parameters.thickness;
+  blank.tilt = parameters.tilt;
 
   const bool at_x = parameters.symmetry == Symmetry::x || parameters.symmetry == Symmetry::quarter;
   const bool at_y = parameters.symmetry == Symmetry::y || parameters.symmetry == Symmetry::quarter;

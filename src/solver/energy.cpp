@@ -33,7 +33,8 @@ Energies energy_account(const Model& model, const System& s)
     e.bending_damping += sum(s.bending[i].damping);
   }
   for (const Gravity& gravity : model.gravity)
-    e.external += gravity.work(model.blank.mesh.points, s.sheet.position);
+    e.external += gravity.work(model.blank.start_positions(), s.sheet.position);
+  for (const PressureState& p : s.pressure) e.external += p.work;
   for (const ContactState& c : s.contacts) {
     e.contact += c.energies.elastic;
     e.friction += c.energies.friction;

@@ -13,11 +13,11 @@ struct Gravity {
   {
     for (std::size_t n = 0; n < weight.size(); ++n) force[n] += weight[n];
   }
-  /// Work done on the sheet since it was flat [J].
-  [[nodiscard]] double work(std::span<const Vec3> flat, std::span<const Vec3> position) const
+  /// Work done on the sheet since the start [J].
+  [[nodiscard]] double work(std::span<const Vec3> start, std::span<const Vec3> position) const
   {
     double sum = 0.0;
-    for (std::size_t n = 0; n < weight.size(); ++n) sum += dot(weight[n], position[n] - flat[n]);
+    for (std::size_t n = 0; n < weight.size(); ++n) sum += dot(weight[n], position[n] - start[n]);
     return sum;
   }
 };

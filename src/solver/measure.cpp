@@ -113,13 +113,13 @@ DrawInGauge::DrawInGauge(const Blank& blank)
 
 DrawIn DrawInGauge::measure(const Blank& blank, const System& s) const
 {
+  const std::vector<Vec3> start = blank.start_positions();
   const auto mean = [&](const std::vector<OutlinePoint>& points, double wx, double wy) {
     const auto distance = [&](const Vec3& p) {
       return std::hypot(wx * (p.x - middle_.x), wy * (p.y - middle_.y));
     };
     double sum = 0.0;
-    for (const OutlinePoint& p : points)
-      sum += distance(p.at(blank.mesh.points)) - distance(p.at(s.sheet.position));
+    for (const OutlinePoint& p : points) sum += distance(p.at(start)) - distance(p.at(s.sheet.position));
     return sum / static_cast<double>(points.size());
   };
   return {mean(x_mid_, 1.0, 0.0), mean(y_mid_, 0.0, 1.0), mean(corner_, 1.0, 1.0)};

@@ -197,6 +197,7 @@ Model build_model(const Case& c)
       model.bending.push_back(std::move(*bending));
   if (!issues.empty()) throw InputError(std::move(issues));
   if (c.load.gravity != Vec3{}) model.gravity.push_back(make_gravity(c, model.membrane));
+  if (!c.load.pressure.empty()) model.pressure.push_back({c.load.pressure});
   model.tools = std::move(tools);
   model.boundaries = std::move(boundaries);
   model.temperature = c.material.temperature;
@@ -210,7 +211,7 @@ Model build_model(const Case& c)
 System start(const Model& model)
 {
   System s;
-  s.sheet.position = model.blank.mesh.points;
+  s.sheet.position = model.blank.start_positions();
   s.sheet.velocity.assign(s.sheet.position.size(), {});
   s.sheet.force.assign(s.sheet.position.size(), {});
   s.sheet.mass_damping.assign(s.sheet.position.size(), 0.0);
@@ -218,6 +219,8 @@ System start(const Model& model)
   s.bending.resize(model.bending.size());
   for (std::size_t i = 0; i < model.bending.size(); ++i)
     start(model.bending[i], s.sheet.position, s.bending[i]);
+  s.pressure.resize(model.pressure.size());
+  for (PressureState& pressure : s.pressure) pressure.force.assign(s.sheet.position.size(), {});
   s.tools.resize(model.tools.size());
   s.contacts.resize(model.contacts.size());
   for (std::size_t i = 0; i < model.contacts.size(); ++i)

@@ -4,6 +4,7 @@
 #include "element/membrane.hpp"
 #include "solver/boundary.hpp"
 #include "solver/gravity.hpp"
+#include "solver/pressure.hpp"
 #include "towform/blank.hpp"
 #include "towform/case.hpp"
 #include <vector>
@@ -17,6 +18,7 @@ struct Model {
   Membrane membrane;
   std::vector<Bending> bending;     ///< one, or none for a sheet that does not resist bending
   std::vector<Gravity> gravity;     ///< one or none
+  std::vector<Pressure> pressure;   ///< one or none
   std::vector<double> element_mass; ///< m, with mass scaling [kg]
   std::vector<double> mass;         ///< n, lumped [kg]
   double added_mass_fraction = 0.0; ///< by mass scaling, over the sheet's own
@@ -42,6 +44,7 @@ struct Model {
 struct System {
   State sheet;
   std::vector<BendingState> bending;
+  std::vector<PressureState> pressure;
   std::vector<ToolState> tools;
   std::vector<ContactState> contacts;
   std::vector<BoundaryState> boundaries;

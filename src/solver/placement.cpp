@@ -37,14 +37,14 @@ std::pair<double, double> travel(const Tool& tool, double end)
 }
 
 /// Deepest node of the blank inside the tool, or -1.
-std::pair<int, double> deepest(const Blank& blank, const Tool& tool)
+std::pair<int, double> deepest(const std::vector<Vec3>& sheet, double thickness, const Tool& tool)
 {
   int node = -1, hint = -1;
   double depth = rounding;
-  for (std::size_t n = 0; n < blank.mesh.points.size(); ++n) {
-    const SurfacePoint nearest = tool.surface.nearest(blank.mesh.points[n], hint);
+  for (std::size_t n = 0; n < sheet.size(); ++n) {
+    const SurfacePoint nearest = tool.surface.nearest(sheet[n], hint);
     hint = nearest.facet;
-    const double overlap = 0.5 * blank.thickness - nearest.distance;
+    const double overlap = 0.5 * thickness - nearest.distance;
     if (overlap > depth && !(nearest.distance < 0.0 && nearest.on_border)) {
       depth = overlap;
       node = static_cast<int>(n);
@@ -58,7 +58,8 @@ std::pair<int, double> deepest(const Blank& blank, const Tool& tool)
 void check_placement(const Case& c, const Blank& blank, const std::vector<Tool>& tools,
                      std::vector<InputIssue>& issues)
 {
-  Box sheet = box_of(blank.mesh.points);
+  const std::vector<Vec3> nodes = blank.start_positions();
+  Box sheet = box_of(nodes);
   const double blank_width = widest(sheet);
   // A drawn sheet follows the tools: anything within a blank's width of its plane can be met.
   sheet.low.z -= blank_width;
@@ -94,7 +95,7 @@ void check_placement(const Case& c, const Blank& blank, const std::vector<Tool>&
                        swept.high.z)});
       continue;
     }
-    const auto [node, depth] = deepest(blank, tool);
+    const auto [node, depth] = deepest(nodes, blank.thickness, tool);
     if (node < 0) continue;
     const Vec3& x = blank.mesh.points[node];
     issues.push_back(

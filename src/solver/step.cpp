@@ -59,6 +59,8 @@ void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
     phases.mark(Phase::bending);
   }
   for (const Gravity& gravity : model.gravity) gravity.add(s.sheet.force);
+  for (std::size_t i = 0; i < model.pressure.size(); ++i)
+    pressure_forces(model.pressure[i], model.membrane, s.pressure[i], s.sheet);
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const Contact& contact = model.contacts[i];
     ToolState& tool = s.tools[contact.tool];

@@ -56,6 +56,32 @@ TEST_F(Placement, AToolThatNeverComesNearIsRefused)
                   .empty());
 }
 
+TEST_F(Placement, ATiltedBlankIsLookedAtAsItLies)
+{
+  // Turned about y, one side of the 60 mm goes 30 mm sin(5 degrees) = 2.6 mm into its block, the other away.
+  expect_one(issues_of({"blank.tilt=[0, '5 deg']", "tool.ball.position=[0,0,'1 mm']"}), right_mesh,
+             "mm inside tool 'right'");
+  EXPECT_TRUE(issues_of({"blank.tilt=[0, '5 deg']", "tool.ball.position=[0,0,'1 mm']",
+                         "tool.right.position=[0,0,'-5 mm']"})
+                  .empty());
+}
+
+TEST_F(Placement, ATiltedBlankStartsFreeOfForce)
+{
+  const Model model =
+      build_model(read({"blank.tilt=['10 deg', '20 deg']", "tool.ball.position=[0,0,'20 mm']",
+                        "tool.left.position=[0,0,'-20 mm']", "tool.right.position=[0,0,'-20 mm']"}));
+  const System s = start(model);
+  double highest = 0.0;
+  for (std::size_t n = 0; n < s.sheet.position.size(); ++n) {
+    EXPECT_LT(norm(s.sheet.force[n]), 1e-8);
+    EXPECT_NEAR(norm(s.sheet.position[n]), norm(model.blank.mesh.points[n]), 1e-15);
+    highest = std::max(highest, s.sheet.position[n].z);
+  }
+  const double a = M_PI / 18.0; // about x, then about y: z = y sin a cos 2a - x sin 2a
+  EXPECT_NEAR(highest, 0.03 * (std::sin(a) * std::cos(2.0 * a) + std::sin(2.0 * a)), 1e-12);
+}
+
 TEST_F(Placement, EveryToolIsLookedAt)
 {
   const auto issues = issues_of({"tool.left.position=[0,0,'0.3 mm']", "tool.right.position=[0,0,'1 m']"});
