@@ -88,15 +88,17 @@ motion = { profile = "table", table = [[0, 0], ["15 ms", "0.2 m/s"], ["30 ms", 0
 name = "holder"
 mesh = "holder.stl"
 force = "-30 N"
+mass = "50 g"
 [contact]
-damping = 0.5
+penalty = 0.2
+damping = 0.2
 [time]
 end = "50 ms"
 [output]
 history = 500
 )");
   EXPECT_NEAR(history("position_holder_m").back(), 3e-3, 0.05e-3);
-  EXPECT_NEAR(late("force_holder_N", 0.3), 30.0, 0.9); // it still trembles, and rows are moments
+  EXPECT_NEAR(late("force_holder_N", 0.3), 30.0, 0.6);
   EXPECT_NEAR(late("force_ridge_N", 0.3), -late("force_holder_N", 0.3), 0.1) << "it carries the holder alone";
   EXPECT_LT(s.penetration_max_mm, 0.1);
 }
@@ -139,7 +141,7 @@ history = 400
   // forces of single moments tell little, but the work of friction tells their mean.
   const std::vector<double> above = history("force_above_N"), below = history("force_below_N"),
                             moved = history("position_grip_m"), friction = history("energy_friction_J");
-  EXPECT_NEAR((friction[300] - friction[100]) / (moved[300] - moved[100]), 2.0 * 0.25 * 20.0, 0.05);
+  EXPECT_NEAR((friction[300] - friction[100]) / (moved[300] - moved[100]), 2.0 * 0.25 * 20.0, 0.1);
   double mean_above = 0.0, mean_below = 0.0;
   for (std::size_t i = 100; i < 300; ++i) {
     mean_above += above[i] / 200.0;
