@@ -75,6 +75,13 @@ def force_apart(results, reference):
     return max(0.0, abs(ours - known) - 2 * np.hypot(our_error, known_error)) / known
 
 
+def apart(results, reference):
+    """Of a trial from what it is compared with, over the elements of the latter."""
+    at, ours, known = reference.centres, results.summary["draw_in_mm"], reference.summary["draw_in_mm"]
+    return Apart(weighted_rms(smoothed(results, at) - smoothed(reference, at), reference.areas),
+                 force_apart(results, reference), max(abs(ours[k] - known[k]) for k in known))
+
+
 def warned(formed, summary, known):
     """Did the run itself say what is wrong with it? That inertia matters counts when it is twice the reference's."""
     inertia = summary["kinetic_to_internal_max"] > 2 * known["kinetic_to_internal_max"]
