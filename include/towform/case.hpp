@@ -3,6 +3,7 @@
 #include "towform/error.hpp"
 #include "towform/material.hpp"
 #include "towform/motion.hpp"
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -65,6 +66,10 @@ struct ContactParameters {
   double penalty = 0.1; ///< beta of the penalty stiffness beta m / dt^2
   double damping = 0.0; ///< fraction of critical, normal to the tool
   double stick = 1.0;   ///< tangential stick stiffness over the penalty stiffness
+
+  /// The part of a step that the sheet may take when two tools' springs and dashpots, with velocities half a
+  /// step old, act on its nodes too, squared: (omega dt)^2 + 2 beta + 8 zeta sqrt(beta) <= 4.
+  [[nodiscard]] double room() const { return 1.0 - 0.5 * penalty - 2.0 * damping * std::sqrt(penalty); }
 };
 
 /// Limits that stop a run when passed.

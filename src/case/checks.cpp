@@ -241,6 +241,17 @@ struct Checker {
     for (std::size_t j = 0; j < i; ++j) same_nodes(i, j);
   }
 
+  void contact() const
+  {
+    constexpr double least = 0.1; // of the square of the step
+    if (c.contact.room() >= least || unread("contact.damping") || unread("contact.penalty")) return;
+    const double most = (1.0 - least - 0.5 * c.contact.penalty) / (2.0 * std::sqrt(c.contact.penalty));
+    issue("contact.damping",
+          fmt::format("contact.damping = {:g} leaves no stable step with contact.penalty = {:g}; at "
+                      "most {:.2g}",
+                      c.contact.damping, c.contact.penalty, most));
+  }
+
   /// Two grips must not pull a node two ways.
   void same_nodes(std::size_t i, std::size_t j) const
   {
@@ -268,6 +279,7 @@ void check_case(const Case& c, std::vector<InputIssue>& issues)
   checker.blank();
   checker.material();
   checker.load();
+  checker.contact();
   std::set<std::string> names;
   for (std::size_t i = 0; i < c.tools.size(); ++i) checker.tool(i, names);
   for (std::size_t i = 0; i < c.boundaries.size(); ++i) checker.boundary(i, names);

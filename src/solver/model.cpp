@@ -59,9 +59,8 @@ void set_inertia(const Case& c, Model& model)
   const double per_area = c.material.constituents.density * c.blank.thickness;
   const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
   for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
-  // Room for two tools on a node: their springs and dashpots add 2 beta to (omega dt)^2 <= 4, and more with
-  // damping.
-  model.step_factor = c.time.safety * std::sqrt(1.0 - c.contact.penalty);
+  model.step_factor =
+      std::min(c.time.safety * std::sqrt(1.0 - c.contact.penalty), std::sqrt(c.contact.room()));
   membrane.damping_time =
       c.material.yarn_damping * StepBound(membrane, model.element_mass, model.shear_modulus).at(sheet).step;
   for (Bending& bending : model.bending) {

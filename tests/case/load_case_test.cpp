@@ -52,5 +52,12 @@ TEST_F(LoadCase, ATiltedBlankKeepsToItsMirrorPlanes)
   expect_says(message({"blank.tilt=10 deg"}), "must be two angles, such as [\"2 deg\", \"2 deg\"]");
 }
 
+TEST_F(LoadCase, DashpotsOfContactLeaveAStableStep)
+{
+  EXPECT_EQ(read(sample_case, {"contact.damping=0.9"}).contact.damping, 0.9);
+  expect_says(message({"contact.damping=0.5", "contact.penalty=0.5"}),
+              "contact.damping = 0.5 leaves no stable step with contact.penalty = 0.5; at most 0.46");
+}
+
 } // namespace
 } // namespace towform

@@ -1,4 +1,5 @@
 #include "solver/bare_sheet.hpp"
+#include "towform/case.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -85,6 +86,30 @@ TEST(StableStepping, SelectiveMassScalingStaysStable)
   c.blank.pattern = Pattern::unstructured;
   c.time.step = 1.5 * build_model(c).first_step;
   EXPECT_LT(growth(c, 0.99), 1.05);
+}
+
+/// A node on a spring of the sheet at `square` of its own limit, pinched by the springs and dashpots of two
+/// tools, in steps of one: how far it has come from 1 after many.
+double pinched(double square, const ContactParameters& contact)
+{
+  const double sheet = 4.0 * square, tools = 2.0 * contact.penalty;
+  const double dashpots = 2.0 * 2.0 * contact.damping * std::sqrt(contact.penalty);
+  double x = 1.0, v = 0.0;
+  for (int i = 0; i < 2000; ++i) {
+    v -= (sheet + tools) * x + dashpots * v;
+    x += v;
+  }
+  return std::abs(x);
+}
+
+TEST(StableStepping, ContactLeavesTheRoomItSays)
+{
+  for (const double penalty : {0.01, 0.1, 0.5})
+    for (const double damping : {0.0, 0.1, 0.4}) {
+      const ContactParameters contact{.penalty = penalty, .damping = damping};
+      EXPECT_LT(pinched(contact.room() - 0.01, contact), 100.0) << penalty << " " << damping;
+      EXPECT_GT(pinched(contact.room() + 0.01, contact), 1e6) << penalty << " " << damping;
+    }
 }
 
 } // namespace

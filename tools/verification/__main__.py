@@ -38,8 +38,7 @@ The double dome of the paper (60 mm at 1 m/s; its tools are assumed, the drawing
 NET = """
 A sheet in contact with a sphere whose yarns neither stretch nor buckle lies on it as the net that an ordinary differential
 equation gives, whatever resists its shear (`cases/reference/README.md`). The column "ours" has the observed order of
-convergence from the mesh before. On the coarsest mesh, three elements over the die's fillet and punch radius, the yarns cannot
-turn fast enough.
+convergence from the mesh before.
 """
 PUBLISHED = """
 Weak references, shown for what they are. The male dome's surface is an approximation read off pictures, its outlines were
