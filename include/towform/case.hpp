@@ -83,6 +83,7 @@ struct GateParameters {
 struct OutputParameters {
   int frames = 30;   ///< after the initial one
   int history = 200; ///< rows of history.csv after the initial one
+  double checkpoint = 300.0; ///< wall time between checkpoints [s]; 0: only when the run is interrupted
 };
 
 /// Explicit dynamics, or quasi-static equilibrium by Newton's method.

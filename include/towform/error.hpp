@@ -52,6 +52,12 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A checkpoint that cannot be gone on from: damaged, or of another case; exit code `checkpoint`.
+class CheckpointError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
 /// A run stopped by a gate; the message names the element, node or tool and the time.
 class RunStopped : public std::runtime_error {
 public:

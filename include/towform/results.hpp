@@ -40,13 +40,16 @@ struct Provenance {
 };
 
 /// results.h5 and results.xdmf of a run. The HDF5 file is opened, extended and closed for every frame, so
-/// that a reader can look during the run and a crash loses at most one frame. Throws FileError naming the
-/// file.
+/// that a reader can look during the run; a program that dies at any moment leaves a file that can be read.
+/// Throws FileError naming the file, also while another program has it open for writing.
 class ResultsWriter {
 public:
   /// Creates DIR/results.h5 (replacing one that is there) with `/mesh` and the root attributes, status
-  /// "running".
-  ResultsWriter(std::filesystem::path directory, const SurfaceMesh& blank, const Provenance& provenance);
+  /// "running". More frames than expected can be appended, less safely.
+  ResultsWriter(std::filesystem::path directory, const SurfaceMesh& blank, const Provenance& provenance,
+                int expected_frames = 100);
+  /// Goes on with DIR/results.h5 after its first `frames` frames; later ones are removed.
+  ResultsWriter(std::filesystem::path directory, const SurfaceMesh& blank, int frames);
   void append(const Frame& frame);
   /// Sets the root attribute `status`: "done" or why the run stopped.
   void finish(const std::string& status);
@@ -65,6 +68,10 @@ private:
 class HistoryWriter {
 public:
   HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& columns);
+  /// Goes on with a file after its first `rows` rows; what follows them is cut off. Throws FileError when it
+  /// has fewer or other columns.
+  HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                std::int64_t rows);
   void append(const std::vector<double>& row); ///< as many values as columns; whole numbers print as such
 
 private:

@@ -13,7 +13,8 @@ namespace {
 fs::path from_root(const fs::path& path)
 {
   std::error_code ignored;
-  return fs::absolute(path, ignored).lexically_normal();
+  const fs::path here = "."; // the folder of a case that was named without one
+  return fs::absolute(path.empty() ? here / "" : path, ignored).lexically_normal();
 }
 
 bool is_file(const fs::path& path)

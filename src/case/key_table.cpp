@@ -176,6 +176,7 @@ std::vector<Row> all_rows()
 
     {"output.frames", AT(c.output.frames), D::none, "30", "1 .. 100000", "in results.h5 after the initial one"},
     {"output.history", AT(c.output.history), D::none, "200", "1 .. 1000000", "rows of history.csv after the initial one"},
+    {"output.checkpoint", AT(c.output.checkpoint), D::time, "5 min", ">= 0", "wall time between checkpoints; 0: only when the run is interrupted"},
   };
 }
 // clang-format on

@@ -40,6 +40,7 @@ constexpr std::array units{
     Unit{D::time, "\u00b5s", 1, 1e6},
     Unit{D::time, "\u03bcs", 1, 1e6, 0, false},
     Unit{D::time, "min", 60},
+    Unit{D::time, "h", 3600},
     Unit{D::angle, "rad", 1},
     Unit{D::angle, "deg", degree},
     Unit{D::angle, "\u00b0", degree, 1, 0, false},

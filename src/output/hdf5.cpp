@@ -1,5 +1,6 @@
 #include "output/hdf5.hpp"
 #include "towform/error.hpp"
+#include <algorithm>
 #include <fmt/format.h>
 #include <functional>
 #include <numeric>
@@ -35,11 +36,32 @@ std::string file_name(hid_t object)
   return name;
 }
 
+/// Objects as of HDF5 1.8: their headers have checksums and room for what is to come.
 Properties access_without_lock()
 {
   Properties access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_file_locking(access.id(), false, true);
+  H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18);
   return access;
+}
+
+/// Without the time of creation: the same run writes the same bytes.
+Properties timeless(hid_t kind)
+{
+  Properties creation(H5Pcreate(kind));
+  H5Pset_obj_track_times(creation.id(), false);
+  return creation;
+}
+
+/// All attributes in the root's header, where they are replaced in place.
+Properties creation_of_file(hsize_t user_block)
+{
+  constexpr unsigned attributes_in_header = 64;
+  Properties creation(H5Pcreate(H5P_FILE_CREATE));
+  H5Pset_userblock(creation.id(), user_block);
+  H5Pset_attr_phase_change(creation.id(), attributes_in_header, 0);
+  H5Pset_obj_track_times(creation.id(), false);
+  return creation;
 }
 
 /// Text of any length, UTF-8; what h5py gives back as str.
@@ -78,12 +100,13 @@ hid_t check(hid_t result, hid_t where, const std::string& what)
   throw FileError(fmt::format("{}: {}: {}", file_name(where), what, reason));
 }
 
-File File::create(const std::filesystem::path& path)
+File File::create(const std::filesystem::path& path, hsize_t user_block)
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Properties access =
       access_without_lock(); // lives until the reason is read: closing it would clear that
-  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id());
+  const Properties creation = creation_of_file(user_block);
+  const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id());
   if (id < 0) throw FileError(fmt::format("{}: cannot be created: {}", path.string(), innermost_reason()));
   return {path, id};
 }
@@ -98,21 +121,36 @@ File File::open(const std::filesystem::path& path, Mode mode)
   return {path, id};
 }
 
+void File::flush()
+{
+  if (H5Fflush(handle_.id(), H5F_SCOPE_GLOBAL) < 0)
+    throw FileError(fmt::format("{}: cannot be written: {}", path_.string(), innermost_reason()));
+}
+
 void File::close()
 {
   if (H5Fclose(handle_.release()) < 0)
     throw FileError(fmt::format("{}: cannot be written: {}", path_.string(), innermost_reason()));
 }
 
-Group create_group(hid_t parent, const std::string& name)
+Group create_group(hid_t parent, const std::string& name) { return create_group(parent, name, 0, 0); }
+
+Group create_group(hid_t parent, const std::string& name, unsigned links, unsigned characters)
 {
-  return Group(check(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), parent,
+  const Properties creation = timeless(H5P_GROUP_CREATE);
+  constexpr unsigned most = 65535; // beyond, links move to a heap of their own
+  if (links > 0) {
+    H5Pset_link_phase_change(creation.id(), most, 0);
+    H5Pset_est_link_info(creation.id(), std::min(links, most), characters);
+  }
+  return Group(check(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), parent,
                      fmt::format("cannot create group {}", name)));
 }
 
 Group create_unnamed_group(hid_t parent)
 {
-  return Group(check(H5Gcreate_anon(parent, H5P_DEFAULT, H5P_DEFAULT), parent, "cannot create a group"));
+  const Properties creation = timeless(H5P_GROUP_CREATE);
+  return Group(check(H5Gcreate_anon(parent, creation.id(), H5P_DEFAULT), parent, "cannot create a group"));
 }
 
 void name_object(hid_t object, hid_t parent, const std::string& name)
@@ -137,6 +175,11 @@ bool has_link(hid_t parent, const std::string& name)
   return check(H5Lexists(parent, name.c_str(), H5P_DEFAULT), parent, "cannot look for " + name) > 0;
 }
 
+void remove_link(hid_t parent, const std::string& name)
+{
+  check(H5Ldelete(parent, name.c_str(), H5P_DEFAULT), parent, "cannot remove " + name);
+}
+
 std::vector<std::string> link_names(hid_t group)
 {
   std::vector<std::string> names;
@@ -153,8 +196,9 @@ Dataset write_dataset(hid_t parent, const std::string& name, const Shape& shape,
 {
   const std::string what = fmt::format("cannot write dataset {}", name);
   const Space space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr));
+  const Properties creation = timeless(H5P_DATASET_CREATE);
   Dataset dataset(
-      check(H5Dcreate2(parent, name.c_str(), stored, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      check(H5Dcreate2(parent, name.c_str(), stored, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
             parent, what));
   check(H5Dwrite(dataset.id(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), parent, what);
   return dataset;
@@ -191,6 +235,14 @@ void write_attribute(hid_t object, const std::string& name, double value)
 void write_attribute(hid_t object, const std::string& name, int value)
 {
   write_scalar(object, name, H5T_NATIVE_INT, &value);
+}
+
+void rename_attribute(hid_t object, const std::string& from, const std::string& to)
+{
+  const std::string what = fmt::format("cannot write attribute {}", to);
+  if (check(H5Aexists(object, to.c_str()), object, what) > 0)
+    check(H5Adelete(object, to.c_str()), object, what);
+  check(H5Arename(object, from.c_str(), to.c_str()), object, what);
 }
 
 std::string text_attribute(hid_t object, const std::string& name)

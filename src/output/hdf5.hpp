@@ -46,9 +46,11 @@ using Type = Handle<H5Tclose>;
 class File {
 public:
   enum class Mode { read, append };
-  static File create(const std::filesystem::path& path); ///< replaces a file that is there
+  /// Replaces a file that is there; the first `user_block` bytes (0, 512, 1024, …) are left to the caller.
+  static File create(const std::filesystem::path& path, hsize_t user_block = 0);
   static File open(const std::filesystem::path& path, Mode mode);
 
+  void flush();
   /// Writes out what is buffered and closes; throws FileError when that fails (a destructor could not say
   /// so).
   void close();
@@ -68,11 +70,15 @@ using Shape = std::vector<hsize_t>;
 
 // `parent` is a File, a Group or a Dataset's identifier.
 Group create_group(hid_t parent, const std::string& name);
+/// A group whose header has room for so many links with names of so many characters: naming an object in it
+/// then is one write in place, which a reader sees whole or not at all.
+Group create_group(hid_t parent, const std::string& name, unsigned links, unsigned characters);
 Group create_unnamed_group(hid_t parent); ///< vanishes when closed unless `name_object` names it
 void name_object(hid_t object, hid_t parent, const std::string& name);
 Group open_group(hid_t parent, const std::string& name);
 Dataset open_dataset(hid_t parent, const std::string& name);
 bool has_link(hid_t parent, const std::string& name);
+void remove_link(hid_t parent, const std::string& name);
 std::vector<std::string> link_names(hid_t group); ///< ascending
 
 /// Writes an array: `memory` is the type it has, `stored` the type it gets in the file.
@@ -85,6 +91,7 @@ std::vector<double> read_numbers(const Dataset& dataset);
 void write_attribute(hid_t object, const std::string& name, const std::string& text); ///< replaces
 void write_attribute(hid_t object, const std::string& name, double value);
 void write_attribute(hid_t object, const std::string& name, int value);
+void rename_attribute(hid_t object, const std::string& from, const std::string& to); ///< replaces
 std::string text_attribute(hid_t object, const std::string& name);
 double number_attribute(hid_t object, const std::string& name);
 

@@ -1,6 +1,7 @@
 #include "output/text_file.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <fmt/format.h>
@@ -51,15 +52,44 @@ void write_line(const std::filesystem::path& path, std::ios::openmode mode, cons
         fmt::format("{}: cannot be written: {}", path.string(), std::generic_category().message(errno)));
 }
 
+std::string first_line(const std::vector<std::string>& columns)
+{
+  std::string line;
+  for (const std::string& name : columns) add_cell(line, quoted(name));
+  return line;
+}
+
 } // namespace
 
 HistoryWriter::HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& columns)
     : path_(path), columns_(columns.size())
 {
   if (path_.has_parent_path()) make_directory(path_.parent_path());
+  write_line(path_, std::ios::trunc, first_line(columns));
+}
+
+HistoryWriter::HistoryWriter(const std::filesystem::path& path, const std::vector<std::string>& columns,
+                             std::int64_t rows)
+    : path_(path), columns_(columns.size())
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+    throw FileError(
+        fmt::format("{}: cannot be opened: {}", path.string(), std::generic_category().message(errno)));
   std::string line;
-  for (const std::string& name : columns) add_cell(line, quoted(name));
-  write_line(path_, std::ios::trunc, line);
+  std::uintmax_t kept = 0;
+  for (std::int64_t i = 0; i <= rows; ++i) {
+    if (!std::getline(file, line) || file.eof())
+      throw FileError(fmt::format("{}: has {} whole rows where the checkpoint was written after {}",
+                                  path.string(), std::max<std::int64_t>(i - 1, 0), rows));
+    if (i == 0 && line != first_line(columns))
+      throw FileError(fmt::format("{}: has other columns than this run", path.string()));
+    kept += line.size() + 1;
+  }
+  file.close();
+  std::error_code error;
+  std::filesystem::resize_file(path, kept, error);
+  if (error) throw FileError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
 }
 
 void HistoryWriter::append(const std::vector<double>& row)

@@ -4,9 +4,13 @@
 #include "output/xdmf.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
+#include <cerrno>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <stdexcept>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace towform {
 
@@ -70,7 +74,30 @@ void write_provenance(const hdf5::File& file, const Provenance& provenance)
   hdf5::write_attribute(file.id(), "case", provenance.case_text);
   hdf5::write_attribute(file.id(), "resolved_case", provenance.resolved_case);
   hdf5::write_attribute(file.id(), "inputs", digest_lines(provenance));
+  // The first text stays behind as room in the header for the next one.
+  hdf5::write_attribute(file.id(), "next_status", std::string("running"));
   hdf5::write_attribute(file.id(), "status", std::string("running"));
+  hdf5::rename_attribute(file.id(), "next_status", "status");
+}
+
+/// The new text is in the file before it replaces the old one.
+void set_status(hdf5::File& file, const std::string& status)
+{
+  hdf5::write_attribute(file.id(), "next_status", status);
+  file.flush();
+  hdf5::rename_attribute(file.id(), "next_status", "status");
+}
+
+/// A program that has the file open to write, with the lock that HDF5 takes, and we would spoil it for each
+/// other. Readers do not matter.
+void refuse_other_writers(const fs::path& path)
+{
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return; // whoever opens it next says why
+  const bool taken = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  if (taken)
+    throw FileError(fmt::format("{}: is open for writing in another program; close it there", path.string()));
 }
 
 /// Bytes a frame takes; throws std::invalid_argument when an array has a wrong
@@ -105,20 +132,59 @@ void write_fields(hid_t group, const Frame& frame)
 
 } // namespace
 
-ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const Provenance& provenance)
+ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const Provenance& provenance,
+                             int expected_frames)
     : directory_(std::move(directory)), nodes_(blank.points.size()), elements_(blank.triangles.size())
 {
   make_directory(directory_);
   const fs::path path = results_path(directory_);
-  std::ofstream(path, std::ios::app).close(); // there must be a file to reserve room behind
-  reserve_space(path, header_bytes + provenance.case_text.size() + provenance.resolved_case.size() +
-                          nodes_ * sizeof(Vec3) + elements_ * sizeof(Triangle));
-  std::error_code ignored; // an index of results that are about to be replaced
-  fs::remove(directory_ / "results.xdmf", ignored);
-  hdf5::File file = hdf5::File::create(path);
-  write_provenance(file, provenance);
-  write_mesh(file, blank);
-  hdf5::create_group(file.id(), "frames");
+  refuse_other_writers(path);
+  fs::path temporary = path;
+  temporary += ".new";
+  try {
+    std::ofstream(temporary, std::ios::trunc).close(); // there must be a file to reserve room behind
+    reserve_space(temporary, header_bytes + 32 * static_cast<std::size_t>(expected_frames) +
+                                 provenance.case_text.size() + provenance.resolved_case.size() +
+                                 nodes_ * sizeof(Vec3) + elements_ * sizeof(Triangle));
+    hdf5::File file = hdf5::File::create(temporary);
+    write_provenance(file, provenance);
+    write_mesh(file, blank);
+    (void)hdf5::create_group(file.id(), "frames", static_cast<unsigned>(expected_frames), 4);
+    file.close();
+    std::error_code ignored; // an index of results that are about to be replaced
+    fs::remove(directory_ / "results.xdmf", ignored);
+    fs::rename(temporary, path);
+  } catch (const fs::filesystem_error& e) {
+    fs::remove(temporary);
+    throw FileError(fmt::format("{}: cannot be written: {}", path.string(), e.code().message()));
+  } catch (const FileError&) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw;
+  }
+}
+
+ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, int frames)
+    : directory_(std::move(directory)), nodes_(blank.points.size()), elements_(blank.triangles.size())
+{
+  const fs::path path = results_path(directory_);
+  refuse_other_writers(path);
+  hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
+  {
+    const hdf5::Group group = hdf5::open_group(file.id(), "frames");
+    const std::vector<std::string> names = hdf5::link_names(group.id());
+    if (names.size() < static_cast<std::size_t>(frames))
+      throw FileError(fmt::format("{}: holds {} frames where the checkpoint was written after {}",
+                                  path.string(), names.size(), frames));
+    for (int i = 0; i < frames; ++i) {
+      const hdf5::Group frame = hdf5::open_group(group.id(), names[i]);
+      times_.push_back(hdf5::number_attribute(frame.id(), "time"));
+      clearance_ = hdf5::has_link(frame.id(), "clearance");
+    }
+    write_xdmf(); // before frames go that it names
+    for (std::size_t i = frames; i < names.size(); ++i) hdf5::remove_link(group.id(), names[i]);
+  }
+  set_status(file, "running");
   file.close();
 }
 
@@ -128,13 +194,16 @@ void ResultsWriter::append(const Frame& frame)
   if (clearance_ == frame.clearance.empty())
     throw std::invalid_argument("frame: clearance in some frames only");
   const fs::path path = results_path(directory_);
+  refuse_other_writers(path);
   reserve_space(path, frame_bytes(frame, nodes_, elements_));
   hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
   {
-    // The frame gets its name last: whatever fails, no part of a frame is left behind.
+    // The frame is in the file, whole, before it gets its name: whenever the program dies, the file can be
+    // read and no part of a frame is in it.
     const hdf5::Group group = hdf5::create_unnamed_group(file.id());
     hdf5::write_attribute(group.id(), "time", frame.time);
     write_fields(group.id(), frame);
+    file.flush();
     hdf5::name_object(group.id(), file.id(), fmt::format("/frames/{:04}", times_.size()));
   }
   file.close();
@@ -145,9 +214,10 @@ void ResultsWriter::append(const Frame& frame)
 void ResultsWriter::finish(const std::string& status)
 {
   const fs::path path = results_path(directory_);
+  refuse_other_writers(path);
   reserve_space(path, header_bytes + status.size());
   hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
-  hdf5::write_attribute(file.id(), "status", status);
+  set_status(file, status);
   file.close();
 }
 

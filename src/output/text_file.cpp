@@ -43,12 +43,41 @@ void replace_file(const fs::path& path, std::string_view text)
   throw FileError(fmt::format("{}: cannot be written: {}", path.string(), reason));
 }
 
+namespace {
+
+[[noreturn]] void fail(const fs::path& path, const char* what)
+{
+  throw FileError(fmt::format("{}: {}: {}", path.string(), what, std::generic_category().message(errno)));
+}
+
+int open_file(const fs::path& path, int flags)
+{
+  const int file = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (file < 0) fail(path, "cannot be opened");
+  return file;
+}
+
+} // namespace
+
+void overwrite_start(const fs::path& path, std::string_view text)
+{
+  const int file = open_file(path, O_WRONLY);
+  const ssize_t written = ::pwrite(file, text.data(), text.size(), 0);
+  ::close(file);
+  if (written != static_cast<ssize_t>(text.size())) fail(path, "cannot be written");
+}
+
+void sync_file(const fs::path& path)
+{
+  const int file = open_file(path, O_RDONLY);
+  const int result = ::fsync(file);
+  ::close(file);
+  if (result != 0 && errno != EINVAL) fail(path, "cannot be written to the disk"); // EINVAL: it has none
+}
+
 void reserve_space(const fs::path& path, std::size_t bytes)
 {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file < 0)
-    throw FileError(
-        fmt::format("{}: cannot be opened: {}", path.string(), std::generic_category().message(errno)));
+  const int file = open_file(path, O_WRONLY);
   const off_t end = ::lseek(file, 0, SEEK_END);
   int reason = EINTR;
   while (reason == EINTR) reason = ::posix_fallocate(file, end, static_cast<off_t>(bytes));

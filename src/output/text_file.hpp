@@ -15,4 +15,10 @@ void replace_file(const std::filesystem::path& path, std::string_view text);
 /// file as it was, when the disk is full or a limit is reached.
 void reserve_space(const std::filesystem::path& path, std::size_t bytes);
 
+/// Replaces the first bytes of a file.
+void overwrite_start(const std::filesystem::path& path, std::string_view text);
+
+/// Waits until a file, or a directory's list of names, is on the disk.
+void sync_file(const std::filesystem::path& path);
+
 } // namespace towform

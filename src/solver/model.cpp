@@ -207,7 +207,7 @@ Model build_model(const Case& c)
   return model;
 }
 
-System start(const Model& model)
+System at_rest(const Model& model)
 {
   System s;
   s.sheet.position = model.blank.start_positions();
@@ -225,6 +225,12 @@ System start(const Model& model)
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
     start(model.contacts[i], s.sheet.position.size(), s.contacts[i]);
   s.boundaries.resize(model.boundaries.size());
+  return s;
+}
+
+System start(const Model& model)
+{
+  System s = at_rest(model);
   Phases untimed;
   evaluate_forces(model, s, model.first_step, untimed);
   return s;

@@ -56,7 +56,10 @@ struct System {
 /// a picture frame opened too far.
 Model build_model(const Case& c);
 
-/// The system at rest at time 0, with its first forces.
+/// The system at rest at time 0, its forces not yet known.
+System at_rest(const Model& model);
+
+/// The same with its first forces.
 System start(const Model& model);
 
 } // namespace towform

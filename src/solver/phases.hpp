@@ -20,6 +20,10 @@ public:
     seconds_[static_cast<std::size_t>(phase)] += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
+  /// Time until now belongs to no phase.
+  void begin() { last_ = Clock::now(); }
+  /// Of every phase, to go on from those of an earlier session.
+  [[nodiscard]] std::array<double, static_cast<std::size_t>(Phase::count)>& all() { return seconds_; }
   [[nodiscard]] double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
 
 private:

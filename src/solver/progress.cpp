@@ -14,12 +14,12 @@ constexpr int bar_width = 40;
 constexpr std::chrono::milliseconds refresh{200};
 } // namespace
 
-Progress::Progress(const std::filesystem::path& directory, bool quiet)
+Progress::Progress(const std::filesystem::path& directory, bool quiet, bool goes_on)
     : quiet_(quiet), terminal_(isatty(STDOUT_FILENO) != 0), start_(std::chrono::steady_clock::now()),
       shown_(start_)
 {
   try {
-    auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>((directory / "run.log").string(), true);
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>((directory / "run.log").string(), !goes_on);
     file->set_pattern("%Y-%m-%d %H:%M:%S  %v");
     log_ = std::make_shared<spdlog::logger>("run", file);
   } catch (const spdlog::spdlog_ex& e) {

@@ -15,7 +15,8 @@ namespace towform {
 class Progress {
 public:
   /// `quiet` leaves only the log file. Throws FileError when that cannot be written.
-  Progress(const std::filesystem::path& directory, bool quiet);
+  /// A run that goes on appends to its log.
+  Progress(const std::filesystem::path& directory, bool quiet, bool goes_on = false);
   ~Progress();
   void line(const std::string& text);
   /// `fraction` of the simulated time done.

@@ -1,8 +1,6 @@
 #include "solver/provenance.hpp"
-#include "towform/error.hpp"
+#include "output/text_file.hpp"
 #include "version.hpp"
-#include <fmt/format.h>
-#include <fstream>
 
 namespace towform {
 
@@ -24,11 +22,7 @@ Provenance provenance_of(const Case& c)
 
 void write_resolved_case(const Case& c, const std::filesystem::path& directory)
 {
-  const std::filesystem::path path = directory / "case.resolved.toml";
-  std::ofstream out(path);
-  out << resolved_case(c);
-  out.close();
-  if (!out) throw FileError(fmt::format("{}: cannot be written", path.string()));
+  replace_file(directory / "case.resolved.toml", resolved_case(c));
 }
 
 } // namespace towform

@@ -1,5 +1,5 @@
 #include "solver/recorder.hpp"
-#include "solver/provenance.hpp"
+#include "solver/run_files.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -29,33 +29,32 @@ double kinetic_to_internal(const Energies& e) { return e.internal() > 0.0 ? e.ki
 
 } // namespace
 
-Recorder::Recorder(const Case& c, const Model& model, const std::filesystem::path& directory)
-    : case_(c), model_(model), directory_(directory), gauge_(model.blank),
-      results_(std::make_unique<ResultsWriter>(directory, model.blank.mesh, provenance_of(c))),
-      history_(std::make_unique<HistoryWriter>(directory / "history.csv", history_columns(model)))
+Recorder::Recorder(const Case& c, const Model& model, const std::filesystem::path& directory, Record& record)
+    : case_(c), model_(model), record_(record), directory_(directory), gauge_(model.blank),
+      results_(open_results(c, directory, model.blank.mesh, record)),
+      history_(open_history(directory, history_columns(model), record))
 {
   if (model.bending.empty()) own_curvature_.emplace(model.blank, model.clamped, 0);
-  write_resolved_case(c, directory);
-  summary_.elements = static_cast<std::int64_t>(model.membrane.triangles.size());
-  summary_.nodes = static_cast<std::int64_t>(model.mass.size());
-  summary_.added_mass_fraction = model.added_mass_fraction;
-  summary_.step_min_s = summary_.step_max_s = model.first_step;
+  record_.summary.elements = static_cast<std::int64_t>(model.membrane.triangles.size());
+  record_.summary.nodes = static_cast<std::int64_t>(model.mass.size());
+  record_.summary.added_mass_fraction = model.added_mass_fraction;
+  if (record_.rows == 0) record_.summary.step_min_s = record_.summary.step_max_s = model.first_step;
 }
 
 void Recorder::watch(const System& s, double dt)
 {
   for (std::size_t i = 0; i < s.contacts.size(); ++i) {
     const ContactState& c = s.contacts[i];
-    if (c.penetration <= deepest_.depth) continue;
+    if (c.penetration <= record_.deepest.depth) continue;
     const double moved = std::abs(s.tools[model_.contacts[i].tool].velocity) * dt;
-    deepest_ = {c.penetration, static_cast<int>(i), c.deepest_node, moved, s.sheet.time};
+    record_.deepest = {c.penetration, static_cast<int>(i), c.deepest_node, moved, s.sheet.time};
   }
   for (std::size_t i = 0; i < s.tools.size(); ++i)
     if (model_.tools[i].motion)
-      summary_.punch_force_max_N =
-          std::max(summary_.punch_force_max_N, std::abs(dot(s.tools[i].reaction, model_.tools[i].direction)));
-  summary_.step_min_s = std::min(summary_.step_min_s, dt);
-  summary_.step_max_s = std::max(summary_.step_max_s, dt);
+      record_.summary.punch_force_max_N = std::max(
+          record_.summary.punch_force_max_N, std::abs(dot(s.tools[i].reaction, model_.tools[i].direction)));
+  record_.summary.step_min_s = std::min(record_.summary.step_min_s, dt);
+  record_.summary.step_max_s = std::max(record_.summary.step_max_s, dt);
 }
 
 void Recorder::measure(const System& s)
@@ -63,25 +62,26 @@ void Recorder::measure(const System& s)
   energies_ = energy_account(model_, s);
   extremes_ = field_extremes(model_.membrane, s);
   draw_in_ = gauge_.measure(model_.blank, s);
-  summary_.steps = s.sheet.step;
-  summary_.simulated_time_s = s.sheet.time;
-  summary_.energy_error = energies_.error();
+  record_.summary.steps = s.sheet.step;
+  record_.summary.simulated_time_s = s.sheet.time;
+  record_.summary.energy_error = energies_.error();
   if (s.sheet.time >= 0.5 * case_.time.end)
-    summary_.kinetic_to_internal_max =
-        std::max(summary_.kinetic_to_internal_max, kinetic_to_internal(energies_));
-  summary_.shear_angle_max_deg = extremes_.shear_max * 180.0 / M_PI;
-  summary_.shear_angle_p99_deg = extremes_.shear_p99 * 180.0 / M_PI;
-  summary_.fibre_strain_max = extremes_.strain_max;
-  summary_.fibre_strain_p99 = extremes_.strain_p99;
-  summary_.fibre_strain_over_2_percent = extremes_.strain_over_2_percent;
-  summary_.fibre_compression_max = extremes_.compression_max;
-  summary_.fibre_compression_p99 = extremes_.compression_p99;
-  summary_.fibre_compression_over_half_percent = extremes_.compression_over_half_percent;
-  summary_.draw_in_x_mid_mm = 1e3 * draw_in_.x_mid;
-  summary_.draw_in_y_mid_mm = 1e3 * draw_in_.y_mid;
-  summary_.draw_in_corner_mm = 1e3 * draw_in_.corner;
-  summary_.penetration_max_mm = std::max(summary_.penetration_max_mm, 1e3 * deepest_.depth);
-  summary_.energies_J = listed(energies_);
+    record_.summary.kinetic_to_internal_max =
+        std::max(record_.summary.kinetic_to_internal_max, kinetic_to_internal(energies_));
+  record_.summary.shear_angle_max_deg = extremes_.shear_max * 180.0 / M_PI;
+  record_.summary.shear_angle_p99_deg = extremes_.shear_p99 * 180.0 / M_PI;
+  record_.summary.fibre_strain_max = extremes_.strain_max;
+  record_.summary.fibre_strain_p99 = extremes_.strain_p99;
+  record_.summary.fibre_strain_over_2_percent = extremes_.strain_over_2_percent;
+  record_.summary.fibre_compression_max = extremes_.compression_max;
+  record_.summary.fibre_compression_p99 = extremes_.compression_p99;
+  record_.summary.fibre_compression_over_half_percent = extremes_.compression_over_half_percent;
+  record_.summary.draw_in_x_mid_mm = 1e3 * draw_in_.x_mid;
+  record_.summary.draw_in_y_mid_mm = 1e3 * draw_in_.y_mid;
+  record_.summary.draw_in_corner_mm = 1e3 * draw_in_.corner;
+  record_.summary.penetration_max_mm =
+      std::max(record_.summary.penetration_max_mm, 1e3 * record_.deepest.depth);
+  record_.summary.energies_J = listed(energies_);
 }
 
 void Recorder::history(const System& s)
@@ -97,10 +97,11 @@ void Recorder::history(const System& s)
     if (model_.boundaries[i].motion) row.push_back(s.boundaries[i].displacement);
   for (const auto& [kind, value] : listed(energies_)) row.push_back(value);
   row.insert(row.end(), {energies_.error(), kinetic_to_internal(energies_), 1e3 * draw_in_.x_mid,
-                         1e3 * draw_in_.y_mid, 1e3 * draw_in_.corner, summary_.shear_angle_max_deg,
-                         extremes_.strain_p99, 1e3 * deepest_.depth});
+                         1e3 * draw_in_.y_mid, 1e3 * draw_in_.corner, record_.summary.shear_angle_max_deg,
+                         extremes_.strain_p99, 1e3 * record_.deepest.depth});
   history_->append(row);
-  const DeepestContact deepest = std::exchange(deepest_, {});
+  ++record_.rows;
+  const DeepestContact deepest = std::exchange(record_.deepest, {});
   check_gates(case_.gates, model_, s, energies_, extremes_, deepest, s.sheet.time / case_.time.end,
               kinetic_to_internal(energies_));
 }
@@ -109,6 +110,7 @@ void Recorder::frame(const System& s, Progress& progress)
 {
   results_->append(
       make_frame(model_, s, own_curvature_ ? *own_curvature_ : model_.bending.front().curvature));
+  ++record_.frames;
   std::string forces;
   for (std::size_t i = 0; i < s.tools.size(); ++i)
     if (model_.tools[i].motion)
@@ -121,14 +123,13 @@ void Recorder::frame(const System& s, Progress& progress)
   progress.line(fmt::format(
       "t {:7.3f} ms  step {:6d}  dt {:.2f} us  shear max {:4.1f} deg{}  work {:.3f} J  kinetic {:.3f} J  "
       "energy error {:.2f} %",
-      1e3 * s.sheet.time, s.sheet.step, 1e6 * s.sheet.last_dt, summary_.shear_angle_max_deg, forces,
+      1e3 * s.sheet.time, s.sheet.step, 1e6 * s.sheet.last_dt, record_.summary.shear_angle_max_deg, forces,
       energies_.external, energies_.kinetic, 100.0 * energies_.error()));
 }
 
 void Recorder::last_frame(const System& s, Progress& progress)
 {
   const bool finite = std::all_of(s.sheet.position.begin(), s.sheet.position.end(), is_finite);
-  progress.line(summary_.message);
   if (!finite) return; // the frames before are what can be used
   measure(s);
   frame(s, progress);
@@ -136,8 +137,8 @@ void Recorder::last_frame(const System& s, Progress& progress)
 
 void Recorder::finish()
 {
-  results_->finish(summary_.status == "done" ? "done" : summary_.message);
-  write_summary(directory_, summary_);
+  results_->finish(record_.summary.status == "done" ? "done" : record_.summary.message);
+  write_summary(directory_, record_.summary);
 }
 
 } // namespace towform

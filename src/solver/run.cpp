@@ -1,20 +1,17 @@
 #include "towform/run.hpp"
 #include "element/stable_step.hpp"
-#include "output/text_file.hpp"
+#include "output/hdf5.hpp"
 #include "parallel/parallel.hpp"
-#include "solver/events.hpp"
 #include "solver/gates.hpp"
 #include "solver/mesh_warnings.hpp"
-#include "solver/model.hpp"
-#include "solver/progress.hpp"
 #include "solver/recorder.hpp"
+#include "solver/run_text.hpp"
+#include "solver/session_run.hpp"
 #include "solver/statics_run.hpp"
 #include "solver/step.hpp"
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace towform {
 
@@ -36,160 +33,127 @@ double present_step(const Model& model, const StepBound& bound, const System& s)
   return step;
 }
 
-/// Steps evenly up to `time`, looking at the stable step now and then.
-void advance_to(double time, const Model& model, const StepBound& bound, System& s, Recorder& recorder,
-                Phases& phases, Progress& progress, double end)
+/// The next steps evenly up to `time`: the stable step is looked at now and then.
+Stride next_stride(double time, double stable_step, double now)
 {
-  constexpr int steps_between_looks = 100;
-  while (s.sheet.time < time) {
-    const double wanted = present_step(model, bound, s);
-    phases.mark(Phase::stable_step);
-    const auto left = static_cast<std::int64_t>(std::ceil((time - s.sheet.time) / wanted * (1.0 - 1e-9)));
-    const double dt = (time - s.sheet.time) / static_cast<double>(left);
-    for (int i = 0; i < std::min<std::int64_t>(left, steps_between_looks); ++i) {
-      step(model, s, dt, phases);
-      check_motion(model, s);
-      recorder.watch(s, dt);
-    }
-    if (left <= steps_between_looks) s.sheet.time = time;
-    progress.update(s.sheet.time / end);
+  constexpr std::int64_t steps_between_looks = 100;
+  const auto left = static_cast<std::int64_t>(std::ceil((time - now) / stable_step * (1.0 - 1e-9)));
+  return {(time - now) / static_cast<double>(left), std::min(left, steps_between_looks),
+          left <= steps_between_looks};
+}
+
+class ExplicitRun final : public SessionRun {
+public:
+  explicit ExplicitRun(Session& session)
+      : SessionRun(session), model_(build_model(case_)),
+        bound_(model_.membrane, model_.element_mass, model_.shear_modulus, model_.bending)
+  {
+    record_ = &run_.record;
+    event_ = &run_.event;
+    run_.system = session.resumes() ? at_rest(model_) : start(model_);
+    run_.record.summary.energies_J = listed(Energies{});
+    session.begin(run_.record, [this](FieldVisitor& v) { visit(v, run_); });
+    recorder_.emplace(case_, model_, session.directory(), run_.record);
+    run_.record.summary.threads = threads();
+    run_.phases.begin();
   }
+
+private:
+  [[nodiscard]] Place place() const override { return {run_.system.sheet.step, run_.system.sheet.time}; }
+  [[nodiscard]] std::string headline() const override
+  {
+    std::string text = towform::headline(case_, model_) + '\n' + mesh_warnings(case_, model_);
+    text.pop_back(); // the log ends its lines itself
+    return text;
+  }
+  [[nodiscard]] std::string closing() const override
+  {
+    return towform::closing(run_.record.summary, session_.directory());
+  }
+  void write_history() override { recorder_->history(run_.system); }
+  void write_frame() override { recorder_->frame(run_.system, session_.progress()); }
+  void write_last_frame() override { recorder_->last_frame(run_.system, session_.progress()); }
+  void finish() override { recorder_->finish(); }
+
+  void written() override
+  {
+    run_.stride = {};
+    run_.phases.mark(Phase::output);
+  }
+
+  double phases(Summary& summary) const override
+  {
+    double stepping = 0.0;
+    for (std::size_t i = 0; i < phase_names.size(); ++i) {
+      const double seconds = run_.phases.seconds(static_cast<Phase>(i));
+      summary.phases_s.emplace_back(phase_names[i], seconds);
+      if (static_cast<Phase>(i) != Phase::output) stepping += seconds;
+    }
+    return stepping;
+  }
+
+  bool advance_to(double time) override
+  {
+    System& s = run_.system;
+    Stride& stride = run_.stride;
+    while (true) {
+      while (stride.steps_left > 0) {
+        step(model_, s, stride.dt, run_.phases);
+        check_motion(model_, s);
+        recorder_->watch(s, stride.dt);
+        if (--stride.steps_left == 0 && stride.arrives) s.sheet.time = time;
+        if (session_.stops_after(s.sheet.step, s.sheet.time)) return false;
+      }
+      session_.progress().update(s.sheet.time / case_.time.end);
+      if (stride.arrives) return true;
+      stride = next_stride(time, present_step(model_, bound_, s), s.sheet.time);
+      run_.phases.mark(Phase::stable_step);
+    }
+  }
+
+  Model model_;
+  StepBound bound_;
+  RunState run_;
+  std::optional<Recorder> recorder_;
+};
+
+RunOutcome go(Session& session, int thread_count)
+{
+  if (session.the_case().solver == SolverKind::implicit) return run_statics(session);
+  set_threads(thread_count);
+  return ExplicitRun(session).go();
 }
 
-std::string headline(const Case& c, const Model& model)
+/// A run that has ended well leaves no checkpoint.
+bool is_done(const std::filesystem::path& directory)
 {
-  return fmt::format("{}: {} elements, {} nodes, about {:.0f} steps of {:.2f} us, {} thread{}",
-                     c.title.empty() ? "untitled" : c.title, model.membrane.triangles.size(),
-                     model.mass.size(), std::ceil(c.time.end / model.first_step), 1e6 * model.first_step,
-                     threads(), threads() == 1 ? "" : "s");
-}
-
-/// Above this the sheet's inertia shapes the answer, as it does in a fast press: the user should know.
-constexpr double inertia_matters = 0.1;
-
-/// Above this fraction of the elements with yarns shortened by more than 0.5 % the answer hides wrinkles: a
-/// real yarn would have buckled at a fraction of that strain, where ours is merely softer.
-constexpr double compression_matters = 0.01;
-
-std::string closing(const Summary& s, const std::filesystem::path& directory)
-{
-  std::string phases;
-  for (const auto& [name, seconds] : s.phases_s) phases += fmt::format("  {} {:.2f}", name, seconds);
-  std::string inertia;
-  if (s.kinetic_to_internal_max > inertia_matters)
-    inertia =
-        fmt::format("inertia matters: kinetic energy reached {:.0f} % of internal and dissipated energy in "
-                    "the second half of the run\n",
-                    100.0 * s.kinetic_to_internal_max);
-  std::string wrinkles;
-  if (s.fibre_compression_over_half_percent > compression_matters)
-    wrinkles = fmt::format("compression hides wrinkles: {:.1f} % of the elements shorten their yarns by more "
-                           "than 0.5 % (up to {:.1f} %), where a real sheet buckles; look at fibre_strain, "
-                           "curvature and clearance\n",
-                           100.0 * s.fibre_compression_over_half_percent, 100.0 * s.fibre_compression_max);
-  return fmt::format(
-      "{} in {:.2f} s: {} steps, {:.1f} ns per element-step (s:{})\n"
-      "shear max {:.1f} deg, draw-in {:.1f} / {:.1f} / {:.1f} mm (x / y / corner), punch {:.1f} N, "
-      "energy error {:.2f} %, penetration {:.3f} mm, yarn strain p99 {:.2f} %\n"
-      "{}{}wrote {}",
-      s.status, s.wall_time_s, s.steps, s.ns_per_element_step, phases, s.shear_angle_max_deg,
-      s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm, s.punch_force_max_N,
-      100.0 * s.energy_error, s.penetration_max_mm, 100.0 * s.fibre_strain_p99, inertia, wrinkles,
-      (directory / "results.h5, results.xdmf, history.csv, summary.json, run.log").string());
+  std::error_code ignored;
+  const std::filesystem::path results = directory / "results.h5";
+  if (!std::filesystem::exists(results, ignored) ||
+      std::filesystem::exists(checkpoint_path(directory), ignored))
+    return false;
+  const hdf5::File file = hdf5::File::open(results, hdf5::File::Mode::read);
+  return hdf5::text_attribute(file.id(), "status") == "done";
 }
 
 } // namespace
 
 RunOutcome run(const Case& c, const RunOptions& options)
 {
-  if (c.solver == SolverKind::implicit) return run_statics(c, options);
-  set_threads(options.threads);
-  const auto start_of_all = std::chrono::steady_clock::now();
-  const Model model = build_model(c);
-  make_directory(options.directory);
-  Recorder recorder(c, model, options.directory);
-  Progress progress(options.directory, options.quiet);
-  System s = start(model);
-  const StepBound bound(model.membrane, model.element_mass, model.shear_modulus, model.bending);
-  Summary& summary = recorder.summary();
-  summary.threads = threads();
-  progress.line(headline(c, model));
-  if (std::string said = mesh_warnings(c, model); !said.empty()) {
-    said.pop_back(); // the log ends its lines itself
-    progress.line(said);
-  }
-
-  RunOutcome outcome;
-  Phases phases;
-  try {
-    recorder.history(s);
-    recorder.frame(s, progress);
-    phases.mark(Phase::output);
-    for (const Event& event : events_of(c)) {
-      advance_to(event.time, model, bound, s, recorder, phases, progress, c.time.end);
-      recorder.history(s);
-      if (event.frame) recorder.frame(s, progress);
-      phases.mark(Phase::output);
-    }
-    summary.status = "done";
-  } catch (const RunStopped& stop) {
-    outcome.code = stop.code();
-    summary.status = "stopped";
-    summary.message = stop.what();
-    summary.steps = s.sheet.step;
-    summary.simulated_time_s = s.sheet.time;
-    recorder.last_frame(s, progress);
-  }
-
-  double stepping = 0.0;
-  for (std::size_t i = 0; i < phase_names.size(); ++i) {
-    const double seconds = phases.seconds(static_cast<Phase>(i));
-    summary.phases_s.emplace_back(phase_names[i], seconds);
-    if (static_cast<Phase>(i) != Phase::output) stepping += seconds;
-  }
-  summary.wall_time_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start_of_all).count();
-  const double element_steps = static_cast<double>(summary.elements) * static_cast<double>(s.sheet.step);
-  summary.ns_per_element_step = element_steps > 0.0 ? 1e9 * stepping / element_steps : 0.0;
-  recorder.finish();
-  progress.line(closing(summary, options.directory));
-  outcome.summary = summary;
-  return outcome;
+  Session session(c, options);
+  return go(session, options.threads);
 }
 
-std::string describe_run(const Case& c)
+RunOutcome resume(const RunOptions& options)
 {
-  if (c.solver == SolverKind::implicit) return describe_statics(c);
-  const Model model = build_model(c);
-  const auto direction = [](const Vec3& v) { return std::atan2(v.y, v.x) * 180.0 / M_PI; };
-  std::string text = headline(c, model) + '\n';
-  text += fmt::format("sheet {:.1f} g, added by mass scaling {:.2f} %; warp at {:.1f} deg, weft at {:.1f} "
-                      "deg, curves fit to {:.2f} %\n",
-                      1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
-                      100.0 * model.added_mass_fraction, direction(model.blank.warp),
-                      direction(model.blank.weft), 100.0 * model.material.curves->fit_error);
-  text += mesh_warnings(c, model);
-  for (const Bending& bending : model.bending)
-    text += fmt::format("bending stiffness {:.3g} / {:.3g} mN m (warp / weft{})\n",
-                        1e3 * bending.warp.stiffness(), 1e3 * bending.weft.stiffness(),
-                        c.material.bending_table.empty() ? "" : ", the table's steepest");
-  for (const Tool& tool : model.tools) {
-    const Vec3 low = tool.surface.lowest(), high = tool.surface.highest();
-    const std::string drive =
-        tool.force    ? fmt::format("pushed with {} N, {} kg", *tool.force, tool.mass)
-        : tool.motion ? fmt::format("moves {:.4g} mm by the end", 1e3 * tool.motion->displacement(c.time.end))
-                      : "stands";
-    text += fmt::format("tool '{}': {} facets, x {:.1f} to {:.1f}, y {:.1f} to {:.1f}, z {:.1f} to {:.1f} "
-                        "mm, friction {}, {}\n",
-                        tool.name, tool.surface.mesh().triangles.size(), 1e3 * low.x, 1e3 * high.x,
-                        1e3 * low.y, 1e3 * high.y, 1e3 * low.z, 1e3 * high.z, tool.friction, drive);
+  if (is_done(options.directory)) {
+    if (!options.quiet) fmt::print("{}: the run is done\n", options.directory.string());
+    RunOutcome outcome;
+    outcome.summary.status = "done";
+    return outcome;
   }
-  for (const Boundary& b : model.boundaries)
-    text += fmt::format(
-        "boundary '{}': holds {} nodes, {}\n", b.name, b.nodes.size(),
-        b.motion ? fmt::format("moves {:.4g} mm by the end", 1e3 * b.motion->displacement(c.time.end))
-                 : "clamped");
-  return text;
+  Session session(options);
+  return go(session, options.threads);
 }
 
 } // namespace towform

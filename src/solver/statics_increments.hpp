@@ -26,6 +26,9 @@ public:
   void advance_to(double time, const StaticsModel& model, StaticsState& s,
                   const std::function<void(const NewtonReport&)>& watch);
 
+  /// Wanted length of the next increment [s].
+  [[nodiscard]] double& next() { return next_; }
+
 private:
   double run_time_;
   Controls controls_;

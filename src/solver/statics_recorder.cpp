@@ -1,5 +1,5 @@
 #include "solver/statics_recorder.hpp"
-#include "solver/provenance.hpp"
+#include "solver/run_files.hpp"
 #include "towform/error.hpp"
 #include <algorithm>
 #include <cmath>
@@ -114,24 +114,25 @@ Energies energy_account(const StaticsModel& model, const StaticsState& s)
 }
 
 StaticsRecorder::StaticsRecorder(const Case& c, const StaticsCase& problem,
-                                 const std::filesystem::path& directory)
-    : case_(c), problem_(problem), directory_(directory), central_(central_element(problem.grid)),
-      results_(directory, problem.grid.triangles(), provenance_of(c)),
-      history_(directory / "history.csv", history_columns(problem.model))
+                                 const std::filesystem::path& directory, Record& record)
+    : case_(c), problem_(problem), record_(record), directory_(directory),
+      central_(central_element(problem.grid)),
+      results_(open_results(c, directory, problem.grid.triangles(), record)),
+      history_(open_history(directory, history_columns(problem.model), record))
 {
-  write_resolved_case(c, directory);
-  summary_.elements = static_cast<std::int64_t>(problem.grid.elements.size());
-  summary_.nodes = static_cast<std::int64_t>(problem.grid.points.size());
+  record_.summary.elements = static_cast<std::int64_t>(problem.grid.elements.size());
+  record_.summary.nodes = static_cast<std::int64_t>(problem.grid.points.size());
 }
 
 void StaticsRecorder::watch(const StaticsState& s, const NewtonReport& report)
 {
-  iterations_ += report.iterations;
-  summary_.step_min_s = s.step == 1 ? s.last_dt : std::min(summary_.step_min_s, s.last_dt);
-  summary_.step_max_s = std::max(summary_.step_max_s, s.last_dt);
+  record_.iterations += report.iterations;
+  record_.summary.step_min_s = s.step == 1 ? s.last_dt : std::min(record_.summary.step_min_s, s.last_dt);
+  record_.summary.step_max_s = std::max(record_.summary.step_max_s, s.last_dt);
   for (std::size_t i = 0; i < s.group_force.size(); ++i)
     if (problem_.model.groups[i].motion)
-      summary_.punch_force_max_N = std::max(summary_.punch_force_max_N, std::abs(s.group_force[i]));
+      record_.summary.punch_force_max_N =
+          std::max(record_.summary.punch_force_max_N, std::abs(s.group_force[i]));
 }
 
 void StaticsRecorder::measure(const StaticsState& s)
@@ -147,23 +148,23 @@ void StaticsRecorder::measure(const StaticsState& s)
   const auto most = std::max_element(strain.begin(), strain.end());
   most_strained_ = static_cast<std::size_t>(most - strain.begin());
   energies_ = energy_account(problem_.model, s);
-  summary_.steps = s.step;
-  summary_.simulated_time_s = s.time;
-  summary_.shear_angle_max_deg = *std::max_element(shear.begin(), shear.end()) * to_degrees;
-  summary_.shear_angle_p99_deg = percentile_99(shear) * to_degrees;
-  summary_.fibre_strain_max = *most;
-  summary_.fibre_strain_p99 = percentile_99(strain);
-  summary_.fibre_strain_over_2_percent =
+  record_.summary.steps = s.step;
+  record_.summary.simulated_time_s = s.time;
+  record_.summary.shear_angle_max_deg = *std::max_element(shear.begin(), shear.end()) * to_degrees;
+  record_.summary.shear_angle_p99_deg = percentile_99(shear) * to_degrees;
+  record_.summary.fibre_strain_max = *most;
+  record_.summary.fibre_strain_p99 = percentile_99(strain);
+  record_.summary.fibre_strain_over_2_percent =
       static_cast<double>(std::count_if(strain.begin(), strain.end(), [](double e) { return e > 0.02; })) /
       static_cast<double>(strain.size());
-  summary_.fibre_compression_max = *std::max_element(compression.begin(), compression.end());
-  summary_.fibre_compression_p99 = percentile_99(compression);
-  summary_.fibre_compression_over_half_percent =
+  record_.summary.fibre_compression_max = *std::max_element(compression.begin(), compression.end());
+  record_.summary.fibre_compression_p99 = percentile_99(compression);
+  record_.summary.fibre_compression_over_half_percent =
       static_cast<double>(
           std::count_if(compression.begin(), compression.end(), [](double e) { return e > 0.005; })) /
       static_cast<double>(compression.size());
-  summary_.energy_error = energies_.error();
-  summary_.energies_J = listed(energies_);
+  record_.summary.energy_error = energies_.error();
+  record_.summary.energies_J = listed(energies_);
 }
 
 void StaticsRecorder::check_gates(const StaticsState& s) const
@@ -177,12 +178,12 @@ void StaticsRecorder::check_gates(const StaticsState& s) const
     stop(fmt::format("the energy account is off by {:.2f} % of the external work, limit gates.energy_error = "
                      "{:.2f} %",
                      100.0 * energies_.error(), 100.0 * case_.gates.energy_error));
-  if (summary_.fibre_strain_p99 > case_.gates.yarn_strain)
+  if (record_.summary.fibre_strain_p99 > case_.gates.yarn_strain)
     stop(
         fmt::format("1 % of the elements strain their yarns by more than {:.2f} %, limit gates.yarn_strain = "
                     "{:.2f} %; the worst is element {} with {:.2f} %",
-                    100.0 * summary_.fibre_strain_p99, 100.0 * case_.gates.yarn_strain, most_strained_,
-                    100.0 * summary_.fibre_strain_max));
+                    100.0 * record_.summary.fibre_strain_p99, 100.0 * case_.gates.yarn_strain, most_strained_,
+                    100.0 * record_.summary.fibre_strain_max));
 }
 
 void StaticsRecorder::history(const StaticsState& s)
@@ -196,16 +197,19 @@ void StaticsRecorder::history(const StaticsState& s)
     if (g.motion) row.push_back(g.motion->displacement(s.time));
   for (const auto& [kind, value] : listed(energies_)) row.push_back(value);
   const ElementMean centre(model.membrane, s, central_);
-  row.insert(row.end(), {energies_.error(), summary_.shear_angle_max_deg, summary_.fibre_strain_p99,
-                         centre.angle * to_degrees, centre.rate, static_cast<double>(iterations_)});
-  history_.append(row);
-  iterations_ = 0;
+  row.insert(row.end(),
+             {energies_.error(), record_.summary.shear_angle_max_deg, record_.summary.fibre_strain_p99,
+              centre.angle * to_degrees, centre.rate, static_cast<double>(record_.iterations)});
+  history_->append(row);
+  ++record_.rows;
+  record_.iterations = 0;
   check_gates(s);
 }
 
 void StaticsRecorder::frame(const StaticsState& s, Progress& progress)
 {
-  results_.append(make_frame(problem_, case_.material.temperature, s));
+  results_->append(make_frame(problem_, case_.material.temperature, s));
+  ++record_.frames;
   std::string forces;
   for (std::size_t i = 0; i < s.group_force.size(); ++i)
     if (const HeldGroup& g = problem_.model.groups[i]; g.motion)
@@ -213,14 +217,14 @@ void StaticsRecorder::frame(const StaticsState& s, Progress& progress)
   progress.line(
       fmt::format("t {:10.3f} ms  increment {:6d}  dt {:.3g} ms  shear max {:5.2f} deg{}  work {:.4g} J  "
                   "energy error {:.2f} %",
-                  1e3 * s.time, s.step, 1e3 * s.last_dt, summary_.shear_angle_max_deg, forces,
+                  1e3 * s.time, s.step, 1e3 * s.last_dt, record_.summary.shear_angle_max_deg, forces,
                   energies_.external, 100.0 * energies_.error()));
 }
 
 void StaticsRecorder::finish()
 {
-  results_.finish(summary_.status == "done" ? "done" : summary_.message);
-  write_summary(directory_, summary_);
+  results_->finish(record_.summary.status == "done" ? "done" : record_.summary.message);
+  write_summary(directory_, record_.summary);
 }
 
 } // namespace towform

@@ -1,8 +1,10 @@
 #pragma once
 #include "solver/energy.hpp"
 #include "solver/progress.hpp"
+#include "solver/run_state.hpp"
 #include "solver/statics_model.hpp"
 #include "towform/results.hpp"
+#include <memory>
 
 namespace towform {
 
@@ -16,7 +18,9 @@ Energies energy_account(const StaticsModel& model, const StaticsState& s);
 /// Writes what a quasi-static run leaves behind and keeps the figures of its summary.
 class StaticsRecorder {
 public:
-  StaticsRecorder(const Case& c, const StaticsCase& problem, const std::filesystem::path& directory);
+  /// `record` as for a Recorder.
+  StaticsRecorder(const Case& c, const StaticsCase& problem, const std::filesystem::path& directory,
+                  Record& record);
 
   /// Called at every equilibrium.
   void watch(const StaticsState& s, const NewtonReport& report);
@@ -25,7 +29,7 @@ public:
   /// A frame of the results and a line for the user.
   void frame(const StaticsState& s, Progress& progress);
 
-  [[nodiscard]] Summary& summary() { return summary_; }
+  [[nodiscard]] Summary& summary() { return record_.summary; }
   /// Closes the results and writes summary.json.
   void finish();
 
@@ -35,14 +39,13 @@ private:
 
   const Case& case_;
   const StaticsCase& problem_;
+  Record& record_;
   std::filesystem::path directory_;
   std::size_t central_; ///< the element nearest to the middle
-  ResultsWriter results_;
-  HistoryWriter history_;
-  Summary summary_;
+  std::unique_ptr<ResultsWriter> results_;
+  std::unique_ptr<HistoryWriter> history_;
   Energies energies_;
   std::size_t most_strained_ = 0;
-  int iterations_ = 0; ///< since the last row
 };
 
 } // namespace towform

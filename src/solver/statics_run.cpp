@@ -1,6 +1,5 @@
 #include "solver/statics_run.hpp"
-#include "output/text_file.hpp"
-#include "solver/events.hpp"
+#include "solver/session_run.hpp"
 #include "solver/statics_increments.hpp"
 #include "solver/statics_recorder.hpp"
 #include <chrono>
@@ -16,14 +15,14 @@ double seconds_since(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::string headline(const Case& c, const StaticsCase& p)
+std::string headline_of(const Case& c, const StaticsCase& p)
 {
   return fmt::format("{}: {} quadrilaterals, {} nodes, {} unknowns, quasi-static in the plane",
                      c.title.empty() ? "untitled" : c.title, p.grid.elements.size(), p.grid.points.size(),
                      p.model.constraints.free.cols());
 }
 
-std::string closing(const Summary& s, const std::filesystem::path& directory)
+std::string closing_of(const Summary& s, const std::filesystem::path& directory)
 {
   return fmt::format("{} in {:.2f} s: {} increments\n"
                      "shear max {:.2f} deg, drive {:.3f} N, energy error {:.3f} %, yarn strain max {:.4f} %\n"
@@ -33,61 +32,79 @@ std::string closing(const Summary& s, const std::filesystem::path& directory)
                      (directory / "results.h5, results.xdmf, history.csv, summary.json, run.log").string());
 }
 
+/// Leaves the increments when the session is to stop.
+struct Interrupted {};
+
+class StaticsRun final : public SessionRun {
+public:
+  explicit StaticsRun(Session& session)
+      : SessionRun(session), problem_(build_statics(case_)), increments_(case_.time.end)
+  {
+    record_ = &run_.record; // of one thread, as its summary says by default
+    event_ = &run_.event;
+    run_.sheet = start(problem_.model);
+    run_.next_increment = increments_.next();
+    run_.record.summary.energies_J = listed(Energies{});
+    session.begin(run_.record, [this](FieldVisitor& v) { visit(v, run_); });
+    increments_.next() = run_.next_increment;
+    recorder_.emplace(case_, problem_, session.directory(), run_.record);
+  }
+
+private:
+  [[nodiscard]] Place place() const override { return {run_.sheet.step, run_.sheet.time}; }
+  [[nodiscard]] std::string headline() const override { return headline_of(case_, problem_); }
+  [[nodiscard]] std::string closing() const override
+  {
+    return closing_of(run_.record.summary, session_.directory());
+  }
+  void write_history() override
+  {
+    solved_ = Clock::now();
+    recorder_->history(run_.sheet);
+  }
+  void write_frame() override { recorder_->frame(run_.sheet, session_.progress()); }
+  void write_last_frame() override { write_frame(); } // the last equilibrium
+  void written() override { run_.output += seconds_since(solved_); }
+  void finish() override { recorder_->finish(); }
+  double phases(Summary& summary) const override
+  {
+    summary.phases_s = {{"solve", run_.stepping}, {"output", run_.output}};
+    return run_.stepping;
+  }
+
+  bool advance_to(double time) override
+  {
+    Clock::time_point before = Clock::now();
+    try {
+      increments_.advance_to(time, problem_.model, run_.sheet, [&](const NewtonReport& report) {
+        recorder_->watch(run_.sheet, report);
+        session_.progress().update(run_.sheet.time / case_.time.end);
+        run_.stepping += seconds_since(before);
+        before = Clock::now();
+        run_.next_increment = increments_.next();
+        if (session_.stops_after(run_.sheet.step, run_.sheet.time)) throw Interrupted{};
+      });
+    } catch (const Interrupted&) {
+      return false;
+    }
+    return true;
+  }
+
+  StaticsCase problem_;
+  Increments increments_;
+  StaticsRunState run_;
+  std::optional<StaticsRecorder> recorder_;
+  Clock::time_point solved_;
+};
+
 } // namespace
 
-RunOutcome run_statics(const Case& c, const RunOptions& options)
-{
-  const Clock::time_point start_of_all = Clock::now();
-  const StaticsCase problem = build_statics(c);
-  make_directory(options.directory);
-  StaticsRecorder recorder(c, problem, options.directory);
-  Progress progress(options.directory, options.quiet);
-  Summary& summary = recorder.summary(); // one thread, as it says by default
-  progress.line(headline(c, problem));
-
-  RunOutcome outcome;
-  StaticsState s = start(problem.model);
-  Increments increments(c.time.end);
-  double output = 0.0, stepping = 0.0;
-  try {
-    recorder.history(s);
-    recorder.frame(s, progress);
-    for (const Event& event : events_of(c)) {
-      const Clock::time_point before = Clock::now();
-      increments.advance_to(event.time, problem.model, s, [&](const NewtonReport& report) {
-        recorder.watch(s, report);
-        progress.update(s.time / c.time.end);
-      });
-      stepping += seconds_since(before);
-      const Clock::time_point solved = Clock::now();
-      recorder.history(s);
-      if (event.frame) recorder.frame(s, progress);
-      output += seconds_since(solved);
-    }
-    summary.status = "done";
-  } catch (const RunStopped& stop) {
-    outcome.code = stop.code();
-    summary.status = "stopped";
-    summary.message = stop.what();
-    summary.steps = s.step;
-    summary.simulated_time_s = s.time;
-    progress.line(summary.message);
-    recorder.frame(s, progress); // the last equilibrium
-  }
-  summary.phases_s = {{"solve", stepping}, {"output", output}};
-  summary.wall_time_s = seconds_since(start_of_all);
-  const double element_steps = static_cast<double>(summary.elements) * static_cast<double>(s.step);
-  summary.ns_per_element_step = element_steps > 0.0 ? 1e9 * stepping / element_steps : 0.0;
-  recorder.finish();
-  progress.line(closing(summary, options.directory));
-  outcome.summary = summary;
-  return outcome;
-}
+RunOutcome run_statics(Session& session) { return StaticsRun(session).go(); }
 
 std::string describe_statics(const Case& c)
 {
   const StaticsCase problem = build_statics(c);
-  std::string text = headline(c, problem) + '\n';
+  std::string text = headline_of(c, problem) + '\n';
   text += fmt::format("curves fit to {:.2f} %\n", 100.0 * problem.material.curves->fit_error);
   for (const HeldGroup& g : problem.model.groups)
     if (g.motion)

@@ -1,10 +1,10 @@
 #pragma once
-#include "towform/run.hpp"
+#include "solver/session.hpp"
 
 namespace towform {
 
-/// `run` and `describe_run` of a case with solver = "implicit".
-RunOutcome run_statics(const Case& c, const RunOptions& options);
+/// Runs a session, and describes a run, of a case with solver = "implicit".
+RunOutcome run_statics(Session& session);
 std::string describe_statics(const Case& c);
 
 } // namespace towform

@@ -97,6 +97,36 @@ TEST_F(Results, AreNotReplacedWhenThereIsNoRoomForNewOnes)
   EXPECT_TRUE(std::filesystem::exists(directory / "results.xdmf"));
 }
 
+TEST_F(Results, AreNotWrittenWhileAnotherProgramHasThemOpenForWriting)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  const int other = ::open((directory / "results.h5").c_str(), O_RDWR);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0); // as HDF5 does in a program that writes
+  const std::string message = message_of<FileError>([&] { writer.append(dome::frame(mesh, 1.0)); });
+  EXPECT_TRUE(contains(message, "is open for writing in another program")) << message;
+  ::close(other);
+  writer.append(dome::frame(mesh, 1.0));
+  EXPECT_EQ(frames().size(), 1U);
+}
+
+TEST_F(Results, GoOnAfterTheFramesThatAreToStay)
+{
+  {
+    ResultsWriter writer(directory, mesh, dome::provenance());
+    for (int i = 0; i < 4; ++i) writer.append(dome::frame(mesh, i / 4.0));
+    writer.finish("stopped");
+  }
+  ResultsWriter writer(directory, mesh, 2);
+  EXPECT_EQ(frames(), (std::vector<std::string>{"0000", "0001"}));
+  EXPECT_EQ(hdf5::text_attribute(open().id(), "status"), "running");
+  EXPECT_EQ(text_of(directory / "results.xdmf").find("/frames/0002"), std::string::npos);
+  writer.append(dome::frame(mesh, 1.0));
+  EXPECT_EQ(frames(), (std::vector<std::string>{"0000", "0001", "0002"}));
+  EXPECT_EQ(values("frames/0002/position")[2], dome::frame(mesh, 1.0).position[0].z);
+  EXPECT_TRUE(contains(message_of<FileError>([&] { ResultsWriter(directory, mesh, 5); }),
+                       "holds 3 frames where the checkpoint was written after 5"));
+}
+
 TEST_F(Results, LeaveNoPartOfAFrameBehindWhenAnArrayHasAWrongLength)
 {
   ResultsWriter writer(directory, mesh, dome::provenance());
@@ -118,7 +148,7 @@ TEST_F(Results, SayWhyTheyCannotBeWritten)
             (directory / "file/below").string() + ": the directory cannot be created: Not a directory");
   std::filesystem::create_directories(directory / "taken/results.h5");
   EXPECT_EQ(message(directory / "taken"),
-            (directory / "taken/results.h5").string() + ": cannot be opened: Is a directory");
+            (directory / "taken/results.h5").string() + ": cannot be written: Is a directory");
   if (::geteuid() != 0) { // nothing is denied to root
     std::filesystem::create_directory(directory / "denied");
     std::filesystem::permissions(directory / "denied", std::filesystem::perms::owner_read);

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM, SOURCE = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-COMMANDS = {"run", "check", "mesh", "info", "compare"}
+COMMANDS = {"run", "resume", "check", "mesh", "info", "compare"}
 DONE, USAGE, CASE_FILE, FILES, STABILITY, CONTACT, COMPARISON = 0, 2, 3, 4, 5, 6, 8
 
 CASE = """title = "A small press"
@@ -88,7 +88,7 @@ class Program(unittest.TestCase):
         return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.directory)
 
     def run_case(self, *arguments, case=None):
-        return self.towform("run", case or self.case, "-o", self.out, "--threads", 1, *arguments)
+        return self.towform("run", case or self.case, "-o", self.out, "--force", "--threads", 1, *arguments)
 
     def assert_ends(self, done, code):
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)

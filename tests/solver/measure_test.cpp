@@ -70,7 +70,7 @@ motion = { axis = "x", displacement = "-1 mm" }
 end = "10 ms"
 )";
   const auto said = [&](const std::vector<std::string>& overrides) {
-    const RunOutcome outcome = run(read_case(directory / "pushed.toml", overrides), {out, 1, true});
+    const RunOutcome outcome = run(read_case(directory / "pushed.toml", overrides), {out, 1, true, true});
     EXPECT_EQ(outcome.code, ExitCode::done) << outcome.summary.message;
     std::ifstream log(out / "run.log");
     const std::string lines((std::istreambuf_iterator<char>(log)), {});

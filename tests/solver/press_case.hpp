@@ -30,7 +30,7 @@ protected:
   }
   [[nodiscard]] RunOutcome form(const std::vector<std::string>& overrides = {}) const
   {
-    return run(read(overrides), {out, 1, true});
+    return run(read(overrides), {out, 1, true, true});
   }
 
   std::string text = R"(title = "Press"

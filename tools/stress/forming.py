@@ -64,7 +64,7 @@ def form(trial, base, seconds):
     stamp = [hashlib.sha256(Path(PROGRAM).read_bytes()).hexdigest(), repr(trial)]
     if note.exists() and (known := json.loads(note.read_text()))["stamp"] == stamp:
         return Formed(results, known["code"], known["said"])
-    call = [PROGRAM, "run", prepare(trial, directory), "-o", results, "--threads", "1", *words]
+    call = [PROGRAM, "run", prepare(trial, directory), "-o", results, "--force", "--threads", "1", *words]
     try:
         done = subprocess.run(call, cwd=ROOT, capture_output=True, text=True, timeout=seconds)
     except subprocess.TimeoutExpired as late:

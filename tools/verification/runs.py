@@ -52,7 +52,7 @@ class Workshop:
         note.unlink(missing_ok=True)
         print(f"forming {directory}: {run.command}", flush=True)
         settings = [word for s in run.settings for word in ("--set", s)]
-        done = subprocess.run([PROGRAM, "run", run.file, "-o", directory, "--threads", str(run.threads), "--quiet",
+        done = subprocess.run([PROGRAM, "run", run.file, "-o", directory, "--force", "--threads", str(run.threads), "--quiet",
                                *settings], cwd=ROOT)
         if done.returncode:
             print(f"{directory}: towform ended with exit code {done.returncode}", flush=True)

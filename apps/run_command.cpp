@@ -1,0 +1,132 @@
+#include "run_command.hpp"
+#include "case/units.hpp"
+#include "towform/run.hpp"
+#include <csignal>
+#include <fmt/format.h>
+
+namespace towform {
+
+namespace {
+
+volatile std::sig_atomic_t signal_seen = 0;
+
+/// The first signal lets the step end; an interrupt from the keyboard after it does not wait.
+extern "C" void note_signal(int signal)
+{
+  if (signal == SIGINT && signal_seen != 0) {
+    std::signal(SIGINT, SIG_DFL);
+    std::raise(SIGINT);
+  }
+  signal_seen = signal;
+}
+
+void watch_signals()
+{
+  struct sigaction action {};
+  action.sa_handler = note_signal;
+  action.sa_flags = SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) ::sigaction(signal, &action, nullptr);
+  std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error of the write, which says so
+}
+
+/// What `run` and `check` share.
+struct CaseArguments {
+  std::string path;
+  std::vector<std::string> overrides;
+
+  void add_to(CLI::App& command)
+  {
+    command.add_option("case", path, "case file (TOML)")->required()->type_name("CASE.toml");
+    command.add_option("--set", overrides, "replace or add a key: key.path=value, tool.NAME.key=value")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->take_all();
+  }
+  [[nodiscard]] Case read() const { return read_case(path, overrides); }
+};
+
+/// A wall time as in a case file: seconds, or with a unit.
+double read_time(const std::string& text)
+{
+  const Quantity plain = read_quantity(text, Dimension::none);
+  const Quantity time = plain.problem.empty() ? plain : read_quantity(text, Dimension::time);
+  if (!time.problem.empty()) throw CLI::ValidationError("--max-wall", time.problem);
+  if (!(time.value > 0.0)) throw CLI::ValidationError("--max-wall", "must be more than 0");
+  return time.value;
+}
+
+/// What `run` and `resume` share.
+void add_options(CLI::App& command, const std::shared_ptr<RunOptions>& options)
+{
+  command.add_option("--threads", options->threads, "number of threads (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+  command
+      .add_option_function<std::string>(
+          "--max-wall", [options](const std::string& text) { options->controls.max_wall = read_time(text); },
+          "stop with a checkpoint after this wall time, as \"30 min\" (exit code 75)")
+      ->type_name("TIME");
+  command
+      .add_option("--max-steps", options->controls.max_steps,
+                  "stop with a checkpoint after so many steps (exit code 75)")
+      ->check(CLI::PositiveNumber);
+  command.add_flag("--quiet", options->quiet, "print nothing but errors");
+}
+
+void report(const RunOutcome& outcome, ExitCode& code)
+{
+  code = outcome.code;
+  if (!outcome.summary.message.empty()) fmt::print(stderr, "towform: {}\n", outcome.summary.message);
+}
+
+void add_run(CLI::App& app, ExitCode& code)
+{
+  CLI::App* command = app.add_subcommand("run", "form a case; writes results.h5, history.csv, summary.json");
+  auto arguments = std::make_shared<CaseArguments>();
+  auto options = std::make_shared<RunOptions>();
+  arguments->add_to(*command);
+  command->add_option("-o,--output", options->directory,
+                      "directory of the results (default: out/<case name>)");
+  command->add_flag("--force", options->force, "replace the results of an earlier run");
+  add_options(*command, options);
+  command->callback([arguments, options, &code] {
+    watch_signals();
+    options->controls.signal = &signal_seen;
+    if (options->directory.empty())
+      options->directory = std::filesystem::path("out") / std::filesystem::path(arguments->path).stem();
+    report(run(arguments->read(), *options), code);
+  });
+}
+
+void add_resume(CLI::App& app, ExitCode& code)
+{
+  CLI::App* command = app.add_subcommand("resume", "go on with a run that was interrupted");
+  auto options = std::make_shared<RunOptions>();
+  command->add_option("directory", options->directory, "directory of its results")
+      ->required()
+      ->type_name("DIR");
+  add_options(*command, options);
+  command->callback([options, &code] {
+    watch_signals();
+    options->controls.signal = &signal_seen;
+    report(resume(*options), code);
+  });
+}
+
+void add_check(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("check", "say what run would do, or all that it would reject");
+  auto arguments = std::make_shared<CaseArguments>();
+  arguments->add_to(*command);
+  command->callback([arguments] { fmt::print("{}", describe_run(arguments->read())); });
+}
+
+} // namespace
+
+void add_run_commands(CLI::App& app, ExitCode& code)
+{
+  add_run(app, code);
+  add_resume(app, code);
+  add_check(app);
+}
+
+} // namespace towform
