@@ -68,10 +68,20 @@ void remove_checkpoints(const fs::path& directory)
   }
 }
 
-CheckpointWriter::CheckpointWriter(fs::path directory, const CheckpointOrigin& origin)
+CheckpointWriter::CheckpointWriter(fs::path directory, const CheckpointOrigin& origin, std::size_t bytes)
     : directory_(std::move(directory)), temporary_(checkpoint_path(directory_))
 {
   temporary_ += ".new";
+  const std::size_t room = bytes + header_bytes + origin.resolved_case.size() + origin.inputs.size();
+  // HDF5 must not meet a full disk: it could not even close the file.
+  std::ofstream(temporary_, std::ios::trunc).close();
+  try {
+    reserve_space(temporary_, room);
+  } catch (const FileError&) {
+    std::error_code ignored;
+    fs::remove(temporary_, ignored);
+    throw;
+  }
   file_ = std::make_unique<hdf5::File>(hdf5::File::create(temporary_, block_size));
   for (const auto& [name, text] : {std::pair{"version", &origin.version},
                                    {"git_hash", &origin.git_hash},
@@ -80,6 +90,7 @@ CheckpointWriter::CheckpointWriter(fs::path directory, const CheckpointOrigin& o
                                    {"inputs", &origin.inputs}})
     hdf5::write_attribute(file_->id(), name, *text);
   state_ = std::make_unique<hdf5::Group>(hdf5::create_group(file_->id(), "state"));
+  reserve_space(temporary_, room); // that of before went with the old file
 }
 
 CheckpointWriter::~CheckpointWriter()
@@ -92,7 +103,6 @@ CheckpointWriter::~CheckpointWriter()
 
 void CheckpointWriter::numbers(const std::string& name, std::span<double> values, int columns)
 {
-  reserve_space(temporary_, values.size_bytes() + header_bytes);
   hdf5::Shape shape{values.size() / static_cast<std::size_t>(columns)};
   if (columns > 1) shape.push_back(static_cast<hsize_t>(columns));
   (void)hdf5::write_dataset(state_->id(), name, shape, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, values.data());

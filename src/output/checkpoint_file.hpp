@@ -19,7 +19,8 @@ struct CheckpointOrigin {
 /// checkpoints that were there then stay.
 class CheckpointWriter final : public FieldVisitor {
 public:
-  CheckpointWriter(std::filesystem::path directory, const CheckpointOrigin& origin);
+  /// `bytes` of values are to come: room for them is made sure of first.
+  CheckpointWriter(std::filesystem::path directory, const CheckpointOrigin& origin, std::size_t bytes = 0);
   ~CheckpointWriter() override;
   void commit();
 
@@ -31,6 +32,20 @@ private:
   std::unique_ptr<hdf5::File> file_;
   std::unique_ptr<hdf5::Group> state_;
   bool committed_ = false;
+};
+
+/// How many bytes the values take that it is shown.
+class FieldBytes final : public FieldVisitor {
+public:
+  std::size_t bytes = 0;
+
+private:
+  static constexpr std::size_t header = 512; ///< a dataset's own, with room to spare
+  void numbers(const std::string&, std::span<double> values, int) override
+  {
+    bytes += values.size_bytes() + header;
+  }
+  void integer(const std::string&, std::int64_t& value) override { bytes += sizeof(value) + header; }
 };
 
 /// A checkpoint whose CRC, length and schema are right. Throws CheckpointError naming the file and what is

@@ -36,6 +36,15 @@ std::string file_name(hid_t object)
   return name;
 }
 
+/// HDF5 prints nothing, and does not tidy up when the program ends: a file that a full disk kept it from
+/// closing would crash it there, and ours are closed by then.
+void prepare()
+{
+  static const herr_t once = H5dont_atexit();
+  (void)once;
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
 /// Objects as of HDF5 1.8: their headers have checksums and room for what is to come.
 Properties access_without_lock()
 {
@@ -102,7 +111,7 @@ hid_t check(hid_t result, hid_t where, const std::string& what)
 
 File File::create(const std::filesystem::path& path, hsize_t user_block)
 {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  prepare();
   const Properties access =
       access_without_lock(); // lives until the reason is read: closing it would clear that
   const Properties creation = creation_of_file(user_block);
@@ -113,7 +122,7 @@ File File::create(const std::filesystem::path& path, hsize_t user_block)
 
 File File::open(const std::filesystem::path& path, Mode mode)
 {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  prepare();
   const Properties access = access_without_lock();
   const unsigned flags = mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR;
   const hid_t id = H5Fopen(path.c_str(), flags, access.id());

@@ -169,6 +169,7 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, int f
 {
   const fs::path path = results_path(directory_);
   refuse_other_writers(path);
+  reserve_space(path, header_bytes);
   hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
   {
     const hdf5::Group group = hdf5::open_group(file.id(), "frames");

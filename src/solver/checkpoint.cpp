@@ -82,7 +82,9 @@ void write_checkpoint(const fs::path& directory, const CheckpointOrigin& origin,
                       const std::function<void(FieldVisitor&)>& state)
 {
   for (const char* file : {"results.h5", "history.csv"}) sync_file(directory / file);
-  CheckpointWriter writer(directory, origin);
+  FieldBytes size;
+  state(size);
+  CheckpointWriter writer(directory, origin, size.bytes);
   state(writer);
   writer.commit();
 }
