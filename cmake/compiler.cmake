@@ -9,7 +9,9 @@ target_compile_options(towform_options INTERFACE
 if(TOWFORM_SANITIZE)
   add_compile_options(-fsanitize=${TOWFORM_SANITIZE} -fno-omit-frame-pointer)
   # g++ 12 sees uninitialized values in the standard library's own headers once they are instrumented.
-  target_compile_options(towform_options INTERFACE -Wno-maybe-uninitialized)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(towform_options INTERFACE -Wno-maybe-uninitialized)
+  endif()
   add_link_options(-fsanitize=${TOWFORM_SANITIZE})
 endif()
 
