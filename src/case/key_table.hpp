@@ -1,6 +1,7 @@
 #pragma once
 #include "towform/case.hpp"
 #include "units.hpp"
+#include <cassert>
 #include <functional>
 #include <string>
 #include <variant>
@@ -18,7 +19,9 @@ struct Target {
   /// Of the tool or boundary; one of them there must be.
   [[nodiscard]] std::optional<Motion>& motion() const
   {
-    return tool != nullptr ? tool->motion : boundary->motion;
+    if (tool != nullptr) return tool->motion;
+    assert(boundary != nullptr);
+    return boundary->motion;
   }
 };
 

@@ -12,7 +12,7 @@ class MomentLaw {
 public:
   /// `stiffness` B [N m]: moment per width over curvature.
   explicit MomentLaw(double stiffness) : slope_{stiffness} {}
-  explicit MomentLaw(const std::vector<BendingPoint>& table) : slope_{}
+  explicit MomentLaw(const std::vector<BendingPoint>& table)
   {
     for (const BendingPoint& p : table) {
       const BendingPoint& last = corner_.back();

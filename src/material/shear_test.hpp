@@ -50,7 +50,7 @@ struct FittedTest {
   ShearCurves curves;              ///< one a run, over the angles that all runs reach
   std::vector<int> orders;         ///< of the polynomial that suits each run (least error on points left out)
   std::vector<double> residuals;   ///< root mean square of (fit - force)/largest force, a run
-  double rate_min = 0.0, rate_max; ///< least and largest shear rate measured [rad/s]
+  double rate_min = 0.0, rate_max = 0.0; ///< least and largest shear rate measured [rad/s]
 };
 
 /// Curves N(theta) at one rate each from runs of a test. A run's force is linear in its N(theta) and

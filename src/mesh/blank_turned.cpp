@@ -111,6 +111,7 @@ SurfaceMesh turned_grid(const Rectangle& rectangle, const TurnedGrid& grid)
   const Division division = division_of(rectangle, grid);
   std::vector<Vec2> points = divided_sides(rectangle, division);
   std::vector<std::optional<Key>> keys;
+  keys.reserve(points.size());
   for (const Vec2& p : points) keys.push_back(key_at(p, lattice));
   for (const LatticeRow& row : lattice_rows(lattice, shrunk(rectangle, division.clearance))) {
     for (int k = 0; k < row.count; ++k) {
