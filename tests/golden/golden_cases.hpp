@@ -23,7 +23,8 @@ protected:
                                           "output.history=9", "output.frames=3"};
     std::vector<std::string> bent = stroke;
     bent.insert(bent.end(), {"material.law=incremental", "material.bending_stiffness=2 mN m",
-                             "load.gravity=[0, 0, -9.81]", "time.mass_damping=10", "blank.symmetry=quarter"});
+                             "load.gravity=[0, 0, -9.81]", "load.pressure=1 kPa", "time.mass_damping=10",
+                             "blank.symmetry=quarter"});
     const std::string sheet = R"(
 [blank]
 size = ["100 mm", "100 mm"]
