@@ -22,9 +22,10 @@ protected:
     const std::vector<std::string> stroke{"tool.punch.motion.displacement=-2 mm", "time.end=2 ms",
                                           "output.history=9", "output.frames=3"};
     std::vector<std::string> bent = stroke;
-    bent.insert(bent.end(), {"material.law=incremental", "material.bending_stiffness=2 mN m",
-                             "load.gravity=[0, 0, -9.81]", "load.pressure=1 kPa", "time.mass_damping=10",
-                             "blank.symmetry=quarter"});
+    bent.insert(bent.end(),
+                {"material.law=incremental", "material.bending_stiffness=2 mN m",
+                 "load.gravity=[0, 0, -9.81]", "load.pressure=10 Pa", "gates.kinetic_to_internal=1000",
+                 "time.mass_damping=10", "blank.symmetry=quarter"});
     const std::string sheet = R"(
 [blank]
 size = ["100 mm", "100 mm"]
