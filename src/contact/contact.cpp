@@ -18,34 +18,59 @@ struct BlockSums {
   int deepest_node = 0;
 };
 
-/// Search: the tool's nearest point, from the remembered facets while they are known to hold it.
-SurfacePoint find_nearest(const ToolSurface& surface, const Vec3& p, double half_thickness,
-                          SearchMemory& memory)
+/// The nearest point as far as contact asks.
+struct Nearest {
+  Vec3 normal;
+  double distance;
+  bool on_border;
+};
+
+/// The tool's nearest point by the remembered facets while they are known to hold it, else by a search.
+/// Remembers the plane that tells it from now on, if one does.
+Nearest search(const ToolSurface& surface, const Vec3& p, double margin, SearchMemory& memory, NearPlane& plane)
 {
-  const auto remembered = [&](double moved) {
-    return surface.nearest_of(p, {memory.facets.data(), static_cast<std::size_t>(memory.count)}, moved);
+  const auto known = [&memory] {
+    return std::span<const NearFacet>(memory.facets.data(), static_cast<std::size_t>(memory.count));
   };
-  const double moved = norm(p - memory.anchor);
-  if (moved <= memory.reach) return remembered(moved);
-  const double margin = half_thickness; // how far a node may slide at most before it is searched for again
-  double bound = 1e100;
-  if (memory.count > 0)
-    bound =
-        std::sqrt(nearest_on_facet(surface.tree().facet(memory.facets.front().facet), p).distance_squared) *
-            (1.0 + 1e-12) +
-        2.0 * margin;
-  std::array<NearFacet, SearchMemory::capacity + 1> found;
-  const std::size_t count = surface.tree().nearest_few(p, bound, found);
-  memory.count = static_cast<int>(std::min(count, SearchMemory::capacity));
-  std::copy_n(found.begin(), memory.count, memory.facets.begin());
-  memory.anchor = p;
-  const SurfacePoint nearest = remembered(0.0);
-  // While the node moves by r, its nearest facet is within r of today's nearest distance, and a facet left
-  // out no nearer than its distance less r.
-  const double left_out = count > SearchMemory::capacity ? found.back().distance : bound;
-  memory.reach =
-      static_cast<float>(std::min(0.5 * (left_out - std::abs(nearest.distance)), margin) * (1.0 - 1e-6));
-  return nearest;
+  double moved = norm(p - memory.anchor);
+  SurfacePoint nearest;
+  if (moved <= memory.reach) {
+    nearest = surface.nearest_of(p, known(), moved);
+  } else {
+    double bound = 1e100;
+    if (memory.count > 0)
+      bound = std::sqrt(nearest_on_facet(surface.tree().facet(memory.facets.front().facet), p).distance_squared) *
+                  (1.0 + 1e-12) +
+              2.0 * margin;
+    std::array<NearFacet, SearchMemory::capacity + 1> found;
+    const std::size_t count = surface.tree().nearest_few(p, bound, found);
+    memory.count = static_cast<int>(std::min(count, SearchMemory::capacity));
+    std::copy_n(found.begin(), memory.count, memory.facets.begin());
+    memory.anchor = p;
+    moved = 0.0;
+    nearest = surface.nearest_of(p, known(), moved);
+    // While the node moves by r, its nearest facet is within r of today's nearest distance, and a facet left
+    // out no nearer than its distance less r.
+    const double left_out = count > SearchMemory::capacity ? found.back().distance : bound;
+    memory.reach =
+        static_cast<float>(std::min(0.5 * (left_out - std::abs(nearest.distance)), margin) * (1.0 - 1e-6));
+  }
+  plane.reach_squared = -1.0;
+  if (nearest.inside) {
+    const double reach =
+        std::min(memory.reach - moved, surface.plane_reach(p, nearest, known(), moved));
+    const Facet& facet = surface.tree().facet(nearest.facet);
+    if (reach > 0.0) plane = {facet.normal, facet.offset, p, reach * reach};
+  }
+  return {nearest.normal, nearest.distance, nearest.on_border};
+}
+
+Nearest find_nearest(const ToolSurface& surface, const Vec3& p, double margin, SearchMemory& memory,
+                     NearPlane& plane)
+{
+  if (norm_squared(p - plane.anchor) <= plane.reach_squared)
+    return {plane.normal, dot(plane.normal, p) - plane.offset, false};
+  return search(surface, p, margin, memory, plane);
 }
 
 } // namespace
@@ -54,6 +79,7 @@ void start(const Contact&, std::size_t nodes, ContactState& c)
 {
   c.stick.assign(nodes, {});
   c.normal_force.assign(nodes, 0.0);
+  c.plane.assign(nodes, {});
   c.memory.assign(nodes, {});
   c.wake.assign(nodes, 0.0);
 }
@@ -74,7 +100,8 @@ void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_st
     batch.count = 0;
     for (int n = block * block_size; n < std::min(nodes, (block + 1) * block_size); ++n) {
       if (c.travel < c.wake[n]) continue;
-      const SurfacePoint nearest = find_nearest(tool.surface, s.position[n] - shift, half, c.memory[n]);
+      const Nearest nearest =
+          find_nearest(tool.surface, s.position[n] - shift, half, c.memory[n], c.plane[n]);
       const double gap = nearest.distance - half;
       // Behind the rim of an open surface there is no tool.
       if (gap >= 0.0 || (nearest.distance < 0.0 && nearest.on_border)) {

@@ -28,6 +28,15 @@ struct SearchMemory {
   std::array<NearFacet, capacity> facets{}; ///< nearest to the anchor first
 };
 
+/// The plane of the facet that a node is nearest to while it is within a distance of `anchor`. Only speed
+/// depends on it, as the facet search gives the same bits.
+struct NearPlane {
+  Vec3 normal;                 ///< of the facet
+  double offset = 0.0;         ///< of the facet [m]
+  Vec3 anchor;                 ///< in the tool's frame
+  double reach_squared = -1.0; ///< [m^2]
+};
+
 /// Energies of contact with a tool. Elastic at t_n; the others since the start [J].
 struct ContactEnergies {
   double elastic = 0.0, damping = 0.0, friction = 0.0;
@@ -41,6 +50,7 @@ struct ContactState {
   int deepest_node = 0;
   ContactEnergies energies;
 
+  std::vector<NearPlane> plane;     ///< n
   std::vector<SearchMemory> memory; ///< n
   std::vector<double> wake;         ///< n, travel at which the tool may be reached [m]
   double travel = 0.0;              ///< bound of what any node has moved against the tool since the start [m]

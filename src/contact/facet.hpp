@@ -19,14 +19,18 @@ struct FacetPoint {
 struct Facet {
   std::array<Vec3, 3> corner;
   Vec3 normal;                ///< unit, outward
+  double offset;              ///< normal . x of its plane [m]
   std::array<Vec3, 3> inward; ///< unit, in the plane, from edge k (corner k to k+1) to the inside
 
   explicit Facet(const std::array<Vec3, 3>& corners)
-      : corner(corners), normal(normalized(cross(corner[1] - corner[0], corner[2] - corner[0])))
+      : corner(corners), normal(normalized(cross(corner[1] - corner[0], corner[2] - corner[0]))),
+        offset(dot(normal, corner[0]))
   {
     for (std::size_t k = 0; k < 3; ++k) inward[k] = normalized(cross(normal, edge(k)));
   }
   [[nodiscard]] Vec3 edge(std::size_t k) const { return corner[(k + 1) % 3] - corner[k]; }
+  /// Signed distance of a point from the plane [m].
+  [[nodiscard]] double height(const Vec3& p) const { return dot(normal, p) - offset; }
 };
 
 /// Nearest point of a facet to p, exact for any shape of positive area: the plane's point when it lies
@@ -37,7 +41,7 @@ inline FacetPoint nearest_on_facet(const Facet& f, const Vec3& p)
   const std::array<bool, 3> outside{dot(f.inward[0], r[0]) < 0.0, dot(f.inward[1], r[1]) < 0.0,
                                     dot(f.inward[2], r[2]) < 0.0};
   if (!(outside[0] || outside[1] || outside[2])) {
-    const double height = dot(f.normal, r[0]);
+    const double height = f.height(p);
     return {p - height * f.normal, Feature::inside, height * height};
   }
   FacetPoint best;

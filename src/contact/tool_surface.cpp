@@ -1,4 +1,5 @@
 #include "contact/tool_surface.hpp"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,11 +18,12 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
   std::map<std::pair<int, int>, int> facet_of_edge; // directed
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Triangle& corner = mesh_.triangles[t];
-    const auto& [x, normal, inward] = tree_.facet(static_cast<int>(t));
+    const Facet& facet = tree_.facet(static_cast<int>(t));
+    const auto& x = facet.corner;
     for (int k = 0; k < 3; ++k) {
       facet_of_edge[{corner[k], corner[(k + 1) % 3]}] = static_cast<int>(t);
       const Vec3 out = normalized(x[(k + 1) % 3] - x[k]), back = normalized(x[(k + 2) % 3] - x[k]);
-      corner_normal_[corner[k]] += std::acos(std::clamp(dot(out, back), -1.0, 1.0)) * normal;
+      corner_normal_[corner[k]] += std::acos(std::clamp(dot(out, back), -1.0, 1.0)) * facet.normal;
     }
   }
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -45,7 +47,8 @@ SurfacePoint ToolSurface::with_side(const Vec3& p, int facet, const FacetPoint& 
   const Facet& f = tree_.facet(facet);
   if (near.feature == Feature::inside) {
     result.normal = f.normal;
-    result.distance = dot(f.normal, p - f.corner[0]);
+    result.distance = f.height(p);
+    result.inside = true;
     return result;
   }
   Vec3 normal;
@@ -95,6 +98,28 @@ SurfacePoint ToolSurface::nearest_of(const Vec3& p, std::span<const NearFacet> f
     }
   }
   return with_side(p, best, nearest);
+}
+
+double ToolSurface::plane_reach(const Vec3& p, const SurfacePoint& nearest, std::span<const NearFacet> facets,
+                                double moved) const
+{
+  const Facet& f = tree_.facet(nearest.facet);
+  const double side = nearest.distance < 0.0 ? -1.0 : 1.0, height = std::abs(nearest.distance);
+  double reach = height; // beyond its own plane, what lies behind it comes to the front
+  for (std::size_t k = 0; k < 3; ++k) reach = std::min(reach, dot(f.inward[k], p - f.corner[k]));
+  for (const NearFacet& near : facets) {
+    if (near.facet == nearest.facet) continue;
+    const Facet& g = tree_.facet(near.facet);
+    constexpr double touching = 1e-12; // [m]
+    const auto behind = [&](const Vec3& corner) { return side * f.height(corner) <= touching; };
+    if (std::all_of(g.corner.begin(), g.corner.end(), behind)) continue;
+    const double by_distance = 0.5 * (near.distance - moved - height);
+    const double turn = norm(g.normal - f.normal);
+    const double to_bisector = turn > 0.0 ? (side * g.height(p) - height) / turn : 0.0;
+    reach = std::min(reach, std::max(by_distance, to_bisector));
+  }
+  constexpr double rounding = 1e-7; // [m], of what is "inside" and "behind"
+  return reach - rounding;
 }
 
 } // namespace towform

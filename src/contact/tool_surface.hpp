@@ -15,6 +15,7 @@ struct SurfacePoint {
   Vec3 point;
   Vec3 normal;            ///< unit, away from the tool along the shortest way
   double distance = 0.0;  ///< signed, negative inside the tool [m]
+  bool inside = false;    ///< of the facet, not on its edges: `distance` is the height over its plane
   bool on_border = false; ///< nearest to an edge that only one facet has (an open surface ends there)
 };
 
@@ -34,6 +35,13 @@ public:
   /// Nearest point among some facets (not empty) that come in the order of their distance from a point
   /// `moved` away from p; of equally near ones the lowest number, as in `nearest`.
   [[nodiscard]] SurfacePoint nearest_of(const Vec3& p, std::span<const NearFacet> facets, double moved) const;
+
+  /// How far p may move, in any direction, while its nearest point stays inside the facet that `nearest` is
+  /// inside of [m], as far as `facets` tell (see nearest_of); not positive when it may change at once. Facets
+  /// behind its plane can come no nearer, those in front of it not before p is on the plane that halves
+  /// the angle between both.
+  [[nodiscard]] double plane_reach(const Vec3& p, const SurfacePoint& nearest, std::span<const NearFacet> facets,
+                                   double moved) const;
 
   [[nodiscard]] Vec3 lowest() const { return lowest_; }   ///< corner of the bounding box
   [[nodiscard]] Vec3 highest() const { return highest_; } ///< opposite corner

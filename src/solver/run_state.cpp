@@ -71,7 +71,7 @@ void visit(FieldVisitor& v, ToolState& s)
 
 void visit(FieldVisitor& v, ContactState& s)
 {
-  auto& [stick, normal_force, penetration, deepest_node, energies, memory, wake, travel] = s;
+  auto& [stick, normal_force, penetration, deepest_node, energies, plane, memory, wake, travel] = s;
   auto& [elastic, damping, friction] = energies;
   v("stick", stick);
   v("normal_force", normal_force);
@@ -80,6 +80,7 @@ void visit(FieldVisitor& v, ContactState& s)
   v("elastic", elastic);
   v("damping", damping);
   v("friction", friction);
+  v.rebuilt("plane");  // and
   v.rebuilt("memory"); // facets near each node: remembered to save time, and found again
   v("wake", wake);
   v("travel", travel);
