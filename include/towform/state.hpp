@@ -28,17 +28,15 @@ struct State {
   std::vector<Vec3> velocity; ///< n, v_(n-1/2) [m/s]
   std::vector<Vec3> force;    ///< n, at x_n [N]
 
-  std::vector<double> yarn_strain;   ///< 2m, of each element's warp and weft, at x_n
-  std::vector<double> strip_strain;  ///< per strip of yarn, mean over its entries, at x_n
-  std::vector<double> strip_tension; ///< per strip [N/m], with damping
-  std::vector<double> sine;          ///< m, sin(theta) = f1.f2 at x_n
-  std::vector<ShearPoint> shear;     ///< m, at x_n
-  std::vector<Vec3> corner_force;    ///< 3m, each element's own slots, summed per node in fixed order [N]
+  std::vector<double> strip_strain; ///< per strip of yarn, mean over its entries, at x_n
+  std::vector<double> sine;         ///< m, sin(theta) = f1.f2 at x_n
+  std::vector<ShearPoint> shear;    ///< m, at x_n
+  std::vector<Vec3> block_force;    ///< each block's own, of its nodes, summed per node in fixed order [N]
 
-  // Since the start, per entity, so that sums are the same for any number of threads [J]
-  std::vector<double> shear_work;       ///< m, done on the sheet in shear
-  std::vector<double> shear_dissipated; ///< m
-  std::vector<double> yarn_damping;     ///< per strip of yarn
+  // Since the start, per block of elements or node, so that sums are the same for any number of threads [J]
+  std::vector<double> shear_work;       ///< per block, done on the sheet in shear
+  std::vector<double> shear_dissipated; ///< per block
+  std::vector<double> yarn_damping;     ///< per block
   std::vector<double> mass_damping;     ///< n
 };
 

@@ -1,9 +1,10 @@
 #include "element/membrane.hpp"
 #include "element/arcsine.hpp"
-#include "element/membrane_batch.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 namespace towform {
@@ -40,126 +41,82 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
   const bool own =
       yarn_strain == YarnStrain::triangle || (yarn_strain == YarnStrain::automatic && follows_yarns(blank));
   strips = own ? strips_of_one(area) : lay_strips(blank, area);
+  blocks = ElementBlocks(triangles, node_area.size(), strips);
+  fill_places();
+}
+
+void Membrane::fill_places()
+{
+  for (ElementBlocks::Block& b : blocks.blocks) {
+    const std::size_t places = static_cast<std::size_t>(b.places), first = coefficients_.size();
+    coefficients_.resize(first + 5 * places);
+    for (std::size_t i = 0; i < places; ++i) {
+      const auto e = static_cast<std::size_t>(blocks.element[static_cast<std::size_t>(b.first_place) + i]);
+      const YarnGradients& g = gradients[e];
+      const std::array<double, 5> of_place{g.warp_1, g.warp_2, g.weft_1, g.weft_2, area[e]};
+      for (std::size_t k = 0; k < 5; ++k) coefficients_[first + k * places + i] = of_place[k];
+    }
+  }
+}
+
+MembraneCoefficients Membrane::coefficients(const ElementBlocks::Block& b) const
+{
+  const double* first = coefficients_.data() + 5 * static_cast<std::ptrdiff_t>(b.first_place);
+  return {first, first + b.places, first + 2 * b.places, first + 3 * b.places, first + 4 * b.places};
 }
 
 double Membrane::yarn_energy(const State& s) const
 {
   double sum = 0.0;
   for (std::size_t i = 0; i < strips.size(); ++i) sum += strips.area[i] * yarn.energy(s.strip_strain[i]);
-  for (std::size_t i = 0; i < strips.of.size(); ++i) {
-    const double apart = s.yarn_strain[i] - s.strip_strain[strips.of[i]];
-    sum += 0.5 * own_stiffness * area[i / 2] * apart * apart;
+  for (std::size_t e = 0; e < triangles.size(); ++e) {
+    const YarnVectors y(triangles[e], gradients[e], s.position);
+    const double warp = y.lambda1 - 1.0 - s.strip_strain[strips.of[2 * e]];
+    const double weft = y.lambda2 - 1.0 - s.strip_strain[strips.of[2 * e + 1]];
+    sum += 0.5 * own_stiffness * area[e] * (warp * warp + weft * weft);
   }
   return sum;
 }
 
 void start(const Membrane& membrane, State& s)
 {
-  const std::size_t m = membrane.triangles.size();
+  const std::size_t m = membrane.triangles.size(), blocks = membrane.blocks.blocks.size();
   s.strip_strain.assign(membrane.strips.size(), 0.0);
-  s.strip_tension.assign(membrane.strips.size(), 0.0);
-  s.yarn_strain.assign(2 * m, 0.0);
   s.sine.assign(m, membrane.reference_sine);
   s.shear.assign(m, {});
-  s.corner_force.assign(3 * m, {});
-  s.shear_work.assign(m, 0.0);
-  s.shear_dissipated.assign(m, 0.0);
-  s.yarn_damping.assign(membrane.strips.size(), 0.0);
+  s.block_force.assign(membrane.blocks.slots(), {});
+  s.shear_work.assign(blocks, 0.0);
+  s.shear_dissipated.assign(blocks, 0.0);
+  s.yarn_damping.assign(blocks, 0.0);
 }
 
 namespace {
 
-/// Fills the first places of a batch with what yarn vectors are made of.
-void gather_edges(const Membrane& membrane, std::span<const Vec3> position, std::ptrdiff_t first, int count,
-                  MembraneBatch& b)
+/// What a thread needs to compute a block.
+struct Workplace {
+  BlockLanes lanes;
+  StripLanes strips;
+  MembraneBatch batch;
+  std::array<Vec4, 3 * ElementBlocks::capacity> position, force;
+};
+
+/// Sum in an order that vectors share: eight sums side by side, then these.
+double sum(const double* values, int count)
 {
-  for (int i = 0; i < count; ++i) {
-    const Triangle& t = membrane.triangles[first + i];
-    const Vec3 d1 = position[t[1]] - position[t[0]], d2 = position[t[2]] - position[t[0]];
-    b.d1x[i] = d1.x;
-    b.d1y[i] = d1.y;
-    b.d1z[i] = d1.z;
-    b.d2x[i] = d2.x;
-    b.d2y[i] = d2.y;
-    b.d2z[i] = d2.z;
-    const YarnGradients& g = membrane.gradients[first + i];
-    b.warp_1[i] = g.warp_1;
-    b.warp_2[i] = g.warp_2;
-    b.weft_1[i] = g.weft_1;
-    b.weft_2[i] = g.weft_2;
-  }
+  constexpr int side_by_side = 8;
+  std::array<double, side_by_side> sums{};
+  int i = 0;
+  for (; i + side_by_side <= count; i += side_by_side)
+    for (int k = 0; k < side_by_side; ++k) sums[k] += values[i + k];
+  for (int k = 0; i < count; ++i, ++k) sums[k] += values[i];
+  return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
 }
 
-/// work(first, count) on batches of elements.
+/// work(first, count) on batches of the places first .. end - 1.
 template <class Work>
-void in_batches(std::ptrdiff_t begin, std::ptrdiff_t end, const Work& work)
+void in_batches(int first, int end, const Work& work)
 {
-  for (std::ptrdiff_t first = begin; first < end; first += MembraneBatch::size)
-    work(first, static_cast<int>(std::min<std::ptrdiff_t>(MembraneBatch::size, end - first)));
-}
-
-void element_strains(const Membrane& membrane, State& s, std::ptrdiff_t begin, std::ptrdiff_t end)
-{
-  MembraneBatch b;
-  in_batches(begin, end, [&](std::ptrdiff_t first, int count) {
-    gather_edges(membrane, s.position, first, count, b);
-    yarn_vectors(b, count);
-    double* strain = s.yarn_strain.data() + 2 * first;
-    for (int i = 0; i < count; ++i) {
-      strain[2 * i] = b.lambda1[i] - 1.0;
-      strain[2 * i + 1] = b.lambda2[i] - 1.0;
-    }
-  });
-}
-
-void strip_tensions(const Membrane& membrane, State& s, double dt, std::ptrdiff_t begin, std::ptrdiff_t end)
-{
-  const YarnLaw yarn = membrane.yarn;
-  const double damping = yarn.stiffness * membrane.damping_time / dt;
-  for (std::ptrdiff_t i = begin; i < end; ++i) {
-    double sum = 0.0;
-    for (const YarnEntry entry : membrane.strips.entries_of(i))
-      sum += membrane.area[entry / 2] * s.yarn_strain[entry];
-    const double area = membrane.strips.area[i], mean = sum / area, change = mean - s.strip_strain[i];
-    s.strip_tension[i] = yarn.tension(mean) + damping * change;
-    s.yarn_damping[i] += area * damping * change * change;
-    s.strip_strain[i] = mean;
-  }
-}
-
-/// Tensions and the law's points of some elements.
-void gather_state(const Membrane& membrane, const State& s, std::ptrdiff_t first, int count, MembraneBatch& b)
-{
-  const auto tension = [&, spring = membrane.own_stiffness](std::ptrdiff_t entry) {
-    const int strip = membrane.strips.of[entry];
-    return s.strip_tension[strip] + spring * (s.yarn_strain[entry] - s.strip_strain[strip]);
-  };
-  for (int i = 0; i < count; ++i) {
-    const std::ptrdiff_t e = first + i;
-    b.area[i] = membrane.area[e];
-    b.old_sine[i] = s.sine[e];
-    const ShearPoint& p = s.shear[e];
-    b.old_angle[i] = p.angle;
-    b.old_force[i] = p.force;
-    b.rate[i] = p.rate;
-    b.tension_1[i] = tension(2 * e);
-    b.tension_2[i] = tension(2 * e + 1);
-  }
-}
-
-void store(const MembraneBatch& b, std::ptrdiff_t first, int count, State& s)
-{
-  for (int i = 0; i < count; ++i) {
-    const std::ptrdiff_t e = first + i;
-    s.sine[e] = b.sine[i];
-    s.shear[e] = {b.angle[i], b.force[i], b.rate[i]};
-    s.shear_work[e] += b.work[i];
-    s.shear_dissipated[e] += b.dissipated[i];
-    const Vec3 force_1{b.p1x[i], b.p1y[i], b.p1z[i]}, force_2{b.p2x[i], b.p2y[i], b.p2z[i]};
-    s.corner_force[3 * e] = -(force_1 + force_2);
-    s.corner_force[3 * e + 1] = force_1;
-    s.corner_force[3 * e + 2] = force_2;
-  }
+  for (; first < end; first += MembraneBatch::size) work(first, std::min(MembraneBatch::size, end - first));
 }
 
 /// Any law, point by point.
@@ -174,45 +131,126 @@ void update(const Law& law, MembraneBatch& b, int count, double dt)
   }
 }
 
+/// One block's forces.
 template <class Law>
-void element_forces(const Membrane& membrane, const Law& law, State& s, double dt, std::ptrdiff_t begin,
-                    std::ptrdiff_t end)
-{
-  const double reference_angle = arcsine(membrane.reference_sine);
-  MembraneBatch b;
-  in_batches(begin, end, [&](std::ptrdiff_t first, int count) {
-    gather_edges(membrane, s.position, first, count, b);
-    gather_state(membrane, s, first, count, b);
-    yarn_vectors(b, count);
-    shear_angles(b, count, reference_angle);
-    update(law, b, count, dt);
-    corner_forces(b, count, dt);
-    store(b, first, count, s);
-  });
-}
+class BlockWork {
+public:
+  BlockWork(const Membrane& membrane, const Law& law, State& s, double dt, int number, Workplace& w)
+      : membrane_(membrane), law_(law), s_(s), dt_(dt), number_(number), w_(w),
+        block_(membrane.blocks.blocks[number]), coefficients_(membrane.coefficients(block_)),
+        corner_(membrane.blocks.corner.data() + 3 * static_cast<std::ptrdiff_t>(block_.first_place)),
+        spring_(membrane.own_stiffness)
+  {
+  }
+
+  void go()
+  {
+    const int* node = membrane_.blocks.node.data() + block_.first_slot;
+    for (int i = 0; i < block_.nodes; ++i) {
+      const Vec3& x = s_.position[node[i]];
+      w_.position[i] = Vec4{x.x, x.y, x.z, 0.0};
+      w_.force[i] = Vec4{};
+    }
+    in_batches(0, block_.places, [&](int first, int count) {
+      gather_edges(w_.position.data(), corner_ + 3 * first, count, w_.batch);
+      yarn_vectors(coefficients_, w_.batch, first, count, w_.lanes);
+    });
+    tension_of_strips();
+    double work = 0.0, dissipated = 0.0;
+    in_batches(0, block_.own, [&](int first, int count) {
+      shear(first, count);
+      shear_and_tension(coefficients_, spring_, w_.lanes, first, count, dt_, w_.batch);
+      work += sum(w_.batch.work, count);
+      dissipated += sum(w_.batch.dissipated, count);
+      add_forces(w_.batch, corner_ + 3 * first, count, w_.force.data());
+    });
+    in_batches(block_.own, block_.places, [&](int first, int count) {
+      tension(coefficients_, spring_, w_.lanes, first, count, w_.batch);
+      add_forces(w_.batch, corner_ + 3 * first, count, w_.force.data());
+    });
+    s_.shear_work[number_] += work;
+    s_.shear_dissipated[number_] += dissipated;
+    Vec3* force = s_.block_force.data() + block_.first_slot;
+    for (int i = 0; i < block_.nodes; ++i) force[i] = {w_.force[i][0], w_.force[i][1], w_.force[i][2]};
+  }
+
+private:
+  /// Tensions of the block's strips, handed to their entries; entries of other blocks' strips are without.
+  void tension_of_strips()
+  {
+    const YarnStrips& all = membrane_.strips;
+    const ElementBlocks::Entry* entry = membrane_.blocks.entry.data();
+    BlockLanes& lanes = w_.lanes;
+    StripLanes& strips = w_.strips;
+    const int* first = all.first.data() + block_.first_strip;
+    weigh_strains(coefficients_.area, spring_, block_.places, lanes);
+    for (int i = 0; i < block_.strips; ++i) {
+      double strain = 0.0;
+      for (int k = first[i]; k < first[i + 1]; ++k) strain += lanes.weighed_strain[entry[k]];
+      strips.sum[i] = strain;
+    }
+    const double viscosity = membrane_.yarn.stiffness * membrane_.damping_time / dt_;
+    strip_tensions(membrane_.yarn, viscosity, spring_, all.area.data() + block_.first_strip,
+                   s_.strip_strain.data() + block_.first_strip, block_.strips, strips);
+    for (int i = 0; i < block_.strips; ++i)
+      for (int k = first[i]; k < first[i + 1]; ++k) lanes.base_tension[entry[k]] = strips.base_tension[i];
+    s_.yarn_damping[number_] += sum(strips.lost, block_.strips);
+  }
+
+  /// Advances the law's points.
+  void shear(int first, int count)
+  {
+    MembraneBatch& b = w_.batch;
+    const double reference_angle = arcsine(membrane_.reference_sine);
+    ShearPoint* points = s_.shear.data() + block_.first_element + first;
+    double* sine = s_.sine.data() + block_.first_element + first;
+    for (int i = 0; i < count; ++i) {
+      b.old_sine[i] = sine[i];
+      b.old_angle[i] = points[i].angle;
+      b.old_force[i] = points[i].force;
+      b.rate[i] = points[i].rate;
+    }
+    shear_angles(w_.lanes, first, count, reference_angle, b);
+    update(law_, b, count, dt_);
+    for (int i = 0; i < count; ++i) {
+      sine[i] = b.sine[i];
+      points[i] = {b.angle[i], b.force[i], b.rate[i]};
+    }
+  }
+
+  const Membrane& membrane_;
+  const Law& law_;
+  State& s_;
+  double dt_;
+  int number_;
+  Workplace& w_;
+  const ElementBlocks::Block& block_;
+  MembraneCoefficients coefficients_;
+  const std::uint16_t* corner_;
+  double spring_;
+};
 
 } // namespace
 
 void membrane_forces(const Membrane& membrane, State& s, double dt)
 {
-  const auto strips = static_cast<std::ptrdiff_t>(membrane.strips.size());
-  const auto elements = static_cast<std::ptrdiff_t>(membrane.triangles.size());
-  parallel_ranges(elements, [&](auto begin, auto end) { element_strains(membrane, s, begin, end); });
-  parallel_ranges(strips, [&](auto begin, auto end) { strip_tensions(membrane, s, dt, begin, end); });
   std::visit(
       [&](const auto& law) {
-        parallel_ranges(elements,
-                        [&](auto begin, auto end) { element_forces(membrane, law, s, dt, begin, end); });
+        parallel_each(membrane.blocks.count(), [&](int number) {
+          static thread_local const std::unique_ptr<Workplace> workplace = std::make_unique<Workplace>();
+          BlockWork(membrane, law, s, dt, number, *workplace).go();
+        });
       },
       membrane.law);
 }
 
-void assemble(const CornersOfNode& corners, std::span<const Vec3> corner_force, std::span<Vec3> force)
+void assemble(const ElementBlocks& blocks, std::span<const Vec3> block_force, std::span<Vec3> force)
 {
   parallel_ranges(static_cast<std::ptrdiff_t>(force.size()), [&](auto begin, auto end) {
     for (auto n = begin; n < end; ++n) {
       Vec3 sum;
-      for (const int slot : corners.of(n)) sum += corner_force[slot];
+      for (int i = blocks.first_slot_of[n]; i < blocks.first_slot_of[n + 1]; ++i)
+        sum += block_force[blocks.slot_of[i]];
       force[n] = sum;
     }
   });

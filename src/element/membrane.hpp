@@ -1,4 +1,6 @@
 #pragma once
+#include "element/element_blocks.hpp"
+#include "element/membrane_lanes.hpp"
 #include "element/yarn.hpp"
 #include "element/yarn_strips.hpp"
 #include "material/fabric_law.hpp"
@@ -65,6 +67,7 @@ struct Membrane {
   std::vector<double> node_area;        ///< n, a third of the elements round a node [m^2]
   CornersOfNode corners;
   YarnStrips strips;
+  ElementBlocks blocks;
   double reference_sine = 0.0; ///< f01 . f02
   double thickness = 0.0;      ///< [m]
   YarnLaw yarn;
@@ -77,15 +80,21 @@ struct Membrane {
 
   /// Elastic energy of all yarns at the state's strains [J].
   [[nodiscard]] double yarn_energy(const State& s) const;
+  /// What a block's elements are made of.
+  [[nodiscard]] MembraneCoefficients coefficients(const ElementBlocks::Block& block) const;
+
+private:
+  void fill_places();
+  std::vector<double> coefficients_; // by block, each coefficient of all its places
 };
 
 /// Sizes the membrane's arrays of a state whose positions are set, stress-free at the reference.
 void start(const Membrane& membrane, State& s);
 
-/// Corner forces at x_n; advances the histories from x_(n-1) by dt and the works done in between.
+/// Forces of the blocks at x_n; advances the histories from x_(n-1) by dt and the works done in between.
 void membrane_forces(const Membrane& membrane, State& s, double dt);
 
-/// force[n] = sum of the node's corner slots.
-void assemble(const CornersOfNode& corners, std::span<const Vec3> corner_force, std::span<Vec3> force);
+/// force[n] = sum over the node's blocks.
+void assemble(const ElementBlocks& blocks, std::span<const Vec3> block_force, std::span<Vec3> force);
 
 } // namespace towform

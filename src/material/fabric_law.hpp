@@ -25,8 +25,7 @@ struct ViscousLaw {
     const double target = std::abs(trial), spring = modulus * dt;
     double rate = p.rate;
     for (int i = 0; i < most_rounds; ++i) {
-      const auto [found, unsettled] =
-          ShearTable::root(surface->forces(), surface->cells_per_radian(), angle, rate, target, spring);
+      const auto [found, unsettled] = surface->root(angle, rate, target, spring);
       rate = found;
       if (unsettled == 0) break;
     }

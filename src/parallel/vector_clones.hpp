@@ -5,7 +5,7 @@
 /// (-ffp-contract=off), so every version gives the same bits.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
     !defined(__SANITIZE_THREAD__)
-#define TOWFORM_VECTOR_CLONES __attribute__((target_clones("default", "avx2")))
+#define TOWFORM_VECTOR_CLONES __attribute__((target_clones("default", "avx2", "arch=x86-64-v4")))
 #else
 #define TOWFORM_VECTOR_CLONES
 #endif

@@ -25,20 +25,17 @@ void visit_list(FieldVisitor& v, const std::string& name, std::vector<Struct>& l
 
 void visit(FieldVisitor& v, State& s)
 {
-  auto& [time, step, last_dt, position, velocity, force, yarn_strain, strip_strain, strip_tension, sine,
-         shear, corner_force, shear_work, shear_dissipated, yarn_damping, mass_damping] = s;
+  auto& [time, step, last_dt, position, velocity, force, strip_strain, sine, shear, block_force, shear_work, shear_dissipated, yarn_damping, mass_damping] = s;
   v("time", time);
   v("step", step);
   v("last_dt", last_dt);
   v("position", position);
   v("velocity", velocity);
   v("force", force);
-  v("yarn_strain", yarn_strain);
   v("strip_strain", strip_strain);
-  v("strip_tension", strip_tension);
   v("sine", sine);
   v("shear", shear);
-  v.rebuilt("corner_force");
+  v.rebuilt("block_force");
   v("shear_work", shear_work);
   v("shear_dissipated", shear_dissipated);
   v("yarn_damping", yarn_damping);

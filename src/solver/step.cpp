@@ -52,7 +52,7 @@ void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
 {
   membrane_forces(model.membrane, s.sheet, dt);
   phases.mark(Phase::membrane);
-  assemble(model.membrane.corners, s.sheet.corner_force, s.sheet.force);
+  assemble(model.membrane.blocks, s.sheet.block_force, s.sheet.force);
   phases.mark(Phase::assembly);
   for (std::size_t i = 0; i < model.bending.size(); ++i) {
     bending_forces(model.bending[i], s.bending[i], s.sheet, dt);

@@ -154,7 +154,7 @@ TEST(Membrane, ShearWorkIsTheWorkOfItsForces)
       s.position[i] =
           blank.mesh.points[i] + (static_cast<double>(k) / steps) * (target[i] - blank.mesh.points[i]);
     membrane_forces(membrane, s, 1e-6);
-    assemble(membrane.corners, s.corner_force, s.force);
+    assemble(membrane.blocks, s.block_force, s.force);
     for (std::size_t i = 0; i < target.size(); ++i)
       work -= 0.5 * dot(force_before[i] + s.force[i], s.position[i] - before[i]);
   }
@@ -213,7 +213,7 @@ double true_frequency(const Membrane& membrane, const std::vector<Vec3>& base,
     const double step = 1e-7 / std::sqrt(size);
     for (std::size_t i = 0; i < base.size(); ++i) s.position[i] += step * mode[i];
     membrane_forces(membrane, s, 1e-12); // so short that the viscous law is its spring
-    assemble(membrane.corners, s.corner_force, s.force);
+    assemble(membrane.blocks, s.block_force, s.force);
     double next = 0.0;
     for (std::size_t i = 0; i < base.size(); ++i) {
       mode[i] = (1.0 / (mass[i] * step)) * (rest.force[i] - s.force[i]);

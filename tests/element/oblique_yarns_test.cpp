@@ -157,7 +157,7 @@ TEST(ObliqueYarns, StepBoundHolds)
       const double step = 1e-7 / std::sqrt(size);
       for (std::size_t i = 0; i < mass.size(); ++i) s.position[i] += step * mode[i];
       membrane_forces(membrane, s, 1e-12);
-      assemble(membrane.corners, s.corner_force, s.force);
+      assemble(membrane.blocks, s.block_force, s.force);
       for (std::size_t i = 0; i < mass.size(); ++i) {
         mode[i] = (1.0 / (mass[i] * step)) * (rest.force[i] - s.force[i]);
         next += norm_squared(mode[i]);

@@ -49,7 +49,7 @@ inline State loaded(const Membrane& membrane, const std::vector<Vec3>& position)
 {
   State s = at_rest(membrane, position);
   membrane_forces(membrane, s, 1e-5);
-  assemble(membrane.corners, s.corner_force, s.force);
+  assemble(membrane.blocks, s.block_force, s.force);
   return s;
 }
 

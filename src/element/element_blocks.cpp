@@ -1,0 +1,87 @@
+#include "element/element_blocks.hpp"
+#include <algorithm>
+#include <stdexcept>
+
+namespace towform {
+
+namespace {
+
+/// Elements of `strips` (first, count) outside `own` elements from `first_element`, ascending.
+std::vector<int> guests_of(const YarnStrips& strips, const ElementBlocks::Block& b)
+{
+  std::vector<int> guests;
+  for (int i = b.first_strip; i < b.first_strip + b.strips; ++i)
+    for (const YarnEntry entry : strips.entries_of(static_cast<std::size_t>(i)))
+      if (const int e = entry / 2; e < b.first_element || e >= b.first_element + b.own) guests.push_back(e);
+  std::sort(guests.begin(), guests.end());
+  guests.erase(std::unique(guests.begin(), guests.end()), guests.end());
+  return guests;
+}
+
+/// Strips from `first` on whose first entries belong to elements before `end`.
+int strips_before(const YarnStrips& strips, int first, int end)
+{
+  int last = first;
+  while (last < static_cast<int>(strips.size()) &&
+         strips.entry[static_cast<std::size_t>(strips.first[static_cast<std::size_t>(last)])] / 2 < end)
+    ++last;
+  return last - first;
+}
+
+} // namespace
+
+ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, const YarnStrips& strips)
+    : first_slot_of(nodes + 1, 0)
+{
+  const int elements = static_cast<int>(triangles.size());
+  entry.resize(strips.entry.size());
+  Block b;
+  while (b.first_element < elements) {
+    b.own = std::min(own_most, elements - b.first_element);
+    std::vector<int> guests;
+    while (true) {
+      b.strips = strips_before(strips, b.first_strip, b.first_element + b.own);
+      guests = guests_of(strips, b);
+      if (b.own + static_cast<int>(guests.size()) <= capacity) break;
+      if (b.own == 1) throw std::length_error("the strips of yarn through one element have too many elements");
+      b.own /= 2;
+    }
+    b.places = b.own + static_cast<int>(guests.size());
+    b.first_place = static_cast<int>(element.size());
+    for (int e = b.first_element; e < b.first_element + b.own; ++e) element.push_back(e);
+    element.insert(element.end(), guests.begin(), guests.end());
+
+    const std::span<const int> mine = std::span<const int>(element).subspan(static_cast<std::size_t>(b.first_place));
+    std::vector<int> its_nodes;
+    for (const int e : mine) its_nodes.insert(its_nodes.end(), triangles[e].begin(), triangles[e].end());
+    std::sort(its_nodes.begin(), its_nodes.end());
+    its_nodes.erase(std::unique(its_nodes.begin(), its_nodes.end()), its_nodes.end());
+    b.first_slot = static_cast<int>(node.size());
+    b.nodes = static_cast<int>(its_nodes.size());
+    for (const int e : mine)
+      for (const int n : triangles[e])
+        corner.push_back(static_cast<std::uint16_t>(
+            std::lower_bound(its_nodes.begin(), its_nodes.end(), n) - its_nodes.begin()));
+    node.insert(node.end(), its_nodes.begin(), its_nodes.end());
+
+    for (int i = b.first_strip; i < b.first_strip + b.strips; ++i)
+      for (int k = strips.first[i]; k < strips.first[i + 1]; ++k) {
+        const int e = strips.entry[k] / 2, family = strips.entry[k] % 2;
+        const int own_place = e - b.first_element;
+        const auto place = own_place >= 0 && own_place < b.own
+                               ? own_place
+                               : b.own + (std::lower_bound(guests.begin(), guests.end(), e) - guests.begin());
+        entry[k] = static_cast<Entry>(place + capacity * family);
+      }
+    blocks.push_back(b);
+    b.first_element += b.own;
+    b.first_strip += b.strips;
+  }
+  for (const int n : node) ++first_slot_of[static_cast<std::size_t>(n) + 1];
+  for (std::size_t n = 0; n < nodes; ++n) first_slot_of[n + 1] += first_slot_of[n];
+  std::vector<int> next(first_slot_of.begin(), first_slot_of.end() - 1);
+  slot_of.resize(node.size());
+  for (std::size_t i = 0; i < node.size(); ++i) slot_of[next[node[i]]++] = static_cast<int>(i);
+}
+
+} // namespace towform

@@ -1,0 +1,283 @@
+#include "element/membrane_lanes.hpp"
+#include "element/arcsine.hpp"
+#include "parallel/vector_clones.hpp"
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace towform {
+
+TOWFORM_VECTOR_CLONES
+void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count, BlockLanes& __restrict lanes)
+{
+  const double* __restrict warp_1 = c.warp_1 + first;
+  const double* __restrict warp_2 = c.warp_2 + first;
+  const double* __restrict weft_1 = c.weft_1 + first;
+  const double* __restrict weft_2 = c.weft_2 + first;
+  for (int i = 0; i < count; ++i) {
+    const double a1x = warp_1[i] * b.d1x[i] + warp_2[i] * b.d2x[i];
+    const double a1y = warp_1[i] * b.d1y[i] + warp_2[i] * b.d2y[i];
+    const double a1z = warp_1[i] * b.d1z[i] + warp_2[i] * b.d2z[i];
+    const double a2x = weft_1[i] * b.d1x[i] + weft_2[i] * b.d2x[i];
+    const double a2y = weft_1[i] * b.d1y[i] + weft_2[i] * b.d2y[i];
+    const double a2z = weft_1[i] * b.d1z[i] + weft_2[i] * b.d2z[i];
+    const double stretch1 = std::sqrt(a1x * a1x + a1y * a1y + a1z * a1z);
+    const double stretch2 = std::sqrt(a2x * a2x + a2y * a2y + a2z * a2z);
+    const double inverse1 = 1.0 / stretch1, inverse2 = 1.0 / stretch2;
+    lanes.strain[first + i] = stretch1 - 1.0;
+    lanes.strain[BlockLanes::size + first + i] = stretch2 - 1.0;
+    lanes.over_stretch[first + i] = inverse1;
+    lanes.over_stretch[BlockLanes::size + first + i] = inverse2;
+    lanes.f1x[first + i] = inverse1 * a1x;
+    lanes.f1y[first + i] = inverse1 * a1y;
+    lanes.f1z[first + i] = inverse1 * a1z;
+    lanes.f2x[first + i] = inverse2 * a2x;
+    lanes.f2y[first + i] = inverse2 * a2y;
+    lanes.f2z[first + i] = inverse2 * a2z;
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void shear_angles(const BlockLanes& __restrict lanes, int first, int count, double reference_angle, MembraneBatch& __restrict b)
+{
+  for (int i = 0; i < count; ++i) {
+    const double dot = lanes.f1x[first + i] * lanes.f2x[first + i] + lanes.f1y[first + i] * lanes.f2y[first + i] +
+                       lanes.f1z[first + i] * lanes.f2z[first + i];
+    const double below = dot > 1.0 ? 1.0 : dot;
+    const double sine = below < -1.0 ? -1.0 : below;
+    b.sine[i] = sine;
+    b.angle[i] = arcsine(sine) - reference_angle;
+  }
+}
+
+namespace {
+
+/// Elements whose place in the table is looked for.
+struct TableLanes {
+  static constexpr int size = MembraneBatch::size;
+  // NOLINTBEGIN(modernize-avoid-c-arrays)
+  alignas(64) double weight[size], trial[size], rate[size];
+  alignas(64) std::int64_t cell[size], unsettled[size];
+  alignas(64) std::uint64_t low[size], high[size]; ///< two forces each, in single precision
+  alignas(64) std::int32_t row[size], place[size];
+  std::int32_t index[size]; ///< in the batch
+  // NOLINTEND(modernize-avoid-c-arrays)
+};
+
+/// What vectors fill: loops over the last ones meet no rest. Lanes beyond the count may hold anything.
+constexpr int whole_vectors(int count) { return (count + 7) / 8 * 8; }
+
+TOWFORM_VECTOR_CLONES
+void begin(double cells_per_radian, double modulus, const MembraneBatch& __restrict b, int count,
+           TableLanes& __restrict t)
+{
+  for (int i = 0; i < count; ++i) {
+    t.trial[i] = b.old_force[i] + modulus * (b.angle[i] - b.old_angle[i]);
+    const ShearTable::Row row = ShearTable::row_of(b.angle[i], cells_per_radian);
+    t.weight[i] = row.weight;
+    t.row[i] = row.first;
+    t.rate[i] = b.rate[i];
+    t.index[i] = i;
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void find_cells(int count, TableLanes& __restrict t)
+{
+  for (int i = 0; i < whole_vectors(count); ++i) {
+    const std::int64_t cell = ShearTable::cell_of(t.rate[i]);
+    t.cell[i] = cell;
+    t.place[i] = t.row[i] + static_cast<std::int32_t>(cell);
+  }
+}
+
+void read_table(const float* forces, int count, TableLanes& t)
+{
+  for (int i = 0; i < count; ++i) {
+    const float* low = forces + t.place[i];
+    std::memcpy(&t.low[i], low, sizeof t.low[i]);
+    std::memcpy(&t.high[i], low + ShearTable::rate_points, sizeof t.high[i]);
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void solve(double spring, int count, TableLanes& __restrict t)
+{
+  for (int i = 0; i < whole_vectors(count); ++i) {
+    const auto first = [](std::uint64_t pair) {
+      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(pair)));
+    };
+    const auto second = [](std::uint64_t pair) {
+      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(pair >> 32)));
+    };
+    const ShearTable::Root root =
+        ShearTable::solve(first(t.low[i]), second(t.low[i]), first(t.high[i]), second(t.high[i]), t.weight[i],
+                          t.cell[i], t.rate[i], std::abs(t.trial[i]), spring);
+    t.rate[i] = root.rate;
+    t.unsettled[i] = root.unsettled;
+  }
+}
+
+/// Hands the rates found to the batch and keeps the unsettled ones; returns how many.
+int settle(int count, TableLanes& t, MembraneBatch& b)
+{
+  int left = 0;
+  for (int i = 0; i < count; ++i) {
+    b.rate[t.index[i]] = t.rate[i];
+    t.weight[left] = t.weight[i];
+    t.trial[left] = t.trial[i];
+    t.rate[left] = t.rate[i];
+    t.row[left] = t.row[i];
+    t.index[left] = t.index[i];
+    left += static_cast<int>(t.unsettled[i]);
+  }
+  return left;
+}
+
+TOWFORM_VECTOR_CLONES
+void finish(double modulus, double spring, int count, MembraneBatch& b)
+{
+  for (int i = 0; i < count; ++i) {
+    const double trial = b.old_force[i] + modulus * (b.angle[i] - b.old_angle[i]);
+    const double force = std::copysign(std::abs(trial) - spring * b.rate[i], trial);
+    b.force[i] = force;
+    b.lost[i] = std::abs(force) * b.rate[i];
+  }
+}
+
+} // namespace
+
+void update(const ViscousLaw& law, MembraneBatch& b, int count, double dt)
+{
+  TableLanes t;
+  const double spring = law.modulus * dt;
+  begin(law.surface->cells_per_radian(), law.modulus, b, count, t);
+  int left = count;
+  for (int round = 0; round < ViscousLaw::most_rounds && left > 0; ++round) {
+    find_cells(left, t);
+    read_table(law.surface->forces(), left, t);
+    solve(spring, left, t);
+    left = settle(left, t, b);
+  }
+  finish(law.modulus, spring, count, b);
+}
+
+namespace {
+inline double tension_of(const BlockLanes& lanes, double spring, int entry)
+{
+  return lanes.base_tension[entry] + spring * lanes.strain[entry];
+}
+} // namespace
+
+TOWFORM_VECTOR_CLONES
+void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& __restrict lanes, int first,
+                       int count, double dt, MembraneBatch& __restrict b)
+{
+  const double* __restrict warp_1 = c.warp_1 + first;
+  const double* __restrict warp_2 = c.warp_2 + first;
+  const double* __restrict weft_1 = c.weft_1 + first;
+  const double* __restrict weft_2 = c.weft_2 + first;
+  const double* __restrict areas = c.area + first;
+  for (int i = 0; i < count; ++i) {
+    const int k = first + i;
+    const double area = areas[i], sine = b.sine[i], force = b.force[i];
+    b.work[i] = area * 0.5 * (b.old_force[i] + force) * (sine - b.old_sine[i]);
+    b.dissipated[i] = area * b.lost[i] * dt * std::sqrt(1.0 - sine * sine);
+    const double n1 = force * lanes.over_stretch[k], n2 = force * lanes.over_stretch[BlockLanes::size + k];
+    // P . f01 and P . f02 times the area
+    const double along1 = area * (tension_of(lanes, spring, k) - n1 * sine), across1 = area * n1;
+    const double along2 = area * (tension_of(lanes, spring, BlockLanes::size + k) - n2 * sine), across2 = area * n2;
+    const double t1x = along1 * lanes.f1x[k] + across1 * lanes.f2x[k];
+    const double t1y = along1 * lanes.f1y[k] + across1 * lanes.f2y[k];
+    const double t1z = along1 * lanes.f1z[k] + across1 * lanes.f2z[k];
+    const double t2x = along2 * lanes.f2x[k] + across2 * lanes.f1x[k];
+    const double t2y = along2 * lanes.f2y[k] + across2 * lanes.f1y[k];
+    const double t2z = along2 * lanes.f2z[k] + across2 * lanes.f1z[k];
+    b.p1x[i] = -warp_1[i] * t1x - weft_1[i] * t2x;
+    b.p1y[i] = -warp_1[i] * t1y - weft_1[i] * t2y;
+    b.p1z[i] = -warp_1[i] * t1z - weft_1[i] * t2z;
+    b.p2x[i] = -warp_2[i] * t1x - weft_2[i] * t2x;
+    b.p2y[i] = -warp_2[i] * t1y - weft_2[i] * t2y;
+    b.p2z[i] = -warp_2[i] * t1z - weft_2[i] * t2z;
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void tension(const MembraneCoefficients& c, double spring, const BlockLanes& __restrict lanes, int first, int count,
+             MembraneBatch& __restrict b)
+{
+  const double* __restrict warp_1 = c.warp_1 + first;
+  const double* __restrict warp_2 = c.warp_2 + first;
+  const double* __restrict weft_1 = c.weft_1 + first;
+  const double* __restrict weft_2 = c.weft_2 + first;
+  const double* __restrict areas = c.area + first;
+  for (int i = 0; i < count; ++i) {
+    const int k = first + i;
+    const double warp = areas[i] * tension_of(lanes, spring, k);
+    const double weft = areas[i] * tension_of(lanes, spring, BlockLanes::size + k);
+    const double warp1 = -warp * warp_1[i], warp2 = -warp * warp_2[i];
+    const double weft1 = -weft * weft_1[i], weft2 = -weft * weft_2[i];
+    b.p1x[i] = warp1 * lanes.f1x[k] + weft1 * lanes.f2x[k];
+    b.p1y[i] = warp1 * lanes.f1y[k] + weft1 * lanes.f2y[k];
+    b.p1z[i] = warp1 * lanes.f1z[k] + weft1 * lanes.f2z[k];
+    b.p2x[i] = warp2 * lanes.f1x[k] + weft2 * lanes.f2x[k];
+    b.p2y[i] = warp2 * lanes.f1y[k] + weft2 * lanes.f2y[k];
+    b.p2z[i] = warp2 * lanes.f1z[k] + weft2 * lanes.f2z[k];
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void weigh_strains(const double* area, double spring, int count, BlockLanes& __restrict lanes)
+{
+  const double* __restrict areas = area;
+  for (int family = 0; family < 2; ++family) {
+    const int first = family * BlockLanes::size;
+    for (int i = 0; i < count; ++i) {
+      lanes.weighed_strain[first + i] = areas[i] * lanes.strain[first + i];
+      lanes.base_tension[first + i] = -spring * lanes.strain[first + i];
+    }
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void strip_tensions(const YarnLaw& law, double viscosity, double spring, const double* area, double* strain, int count,
+                    StripLanes& __restrict s)
+{
+  const YarnLaw yarn = law;
+  double* __restrict old_strain = strain;
+  const double* __restrict areas = area;
+  for (int i = 0; i < count; ++i) {
+    const double mean = s.sum[i] / areas[i], change = mean - old_strain[i];
+    const double damping = viscosity * change;
+    s.base_tension[i] = yarn.tension(mean) + damping - spring * mean;
+    s.lost[i] = areas[i] * damping * change;
+    old_strain[i] = mean;
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void gather_edges(const Vec4* position, const std::uint16_t* corner, int count, MembraneBatch& __restrict b)
+{
+  for (int i = 0; i < count; ++i, corner += 3) {
+    const Vec4 x0 = position[corner[0]], d1 = position[corner[1]] - x0, d2 = position[corner[2]] - x0;
+    b.d1x[i] = d1[0];
+    b.d1y[i] = d1[1];
+    b.d1z[i] = d1[2];
+    b.d2x[i] = d2[0];
+    b.d2y[i] = d2[1];
+    b.d2z[i] = d2[2];
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void add_forces(const MembraneBatch& __restrict b, const std::uint16_t* corner, int count, Vec4* __restrict force)
+{
+  for (int i = 0; i < count; ++i, corner += 3) {
+    const Vec4 force_1{b.p1x[i], b.p1y[i], b.p1z[i], 0.0}, force_2{b.p2x[i], b.p2y[i], b.p2z[i], 0.0};
+    force[corner[0]] -= force_1 + force_2;
+    force[corner[1]] += force_1;
+    force[corner[2]] += force_2;
+  }
+}
+
+} // namespace towform

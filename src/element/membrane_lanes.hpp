@@ -1,0 +1,83 @@
+#pragma once
+#include "element/element_blocks.hpp"
+#include "element/yarn.hpp"
+#include "material/fabric_law.hpp"
+
+namespace towform {
+
+/// Elements of a block side by side, so that one instruction serves several: each array has a place per element.
+/// Names as in Membrane; 1 and 2 are warp and weft.
+struct BlockLanes {
+  static constexpr int size = ElementBlocks::capacity;
+  using Lanes = double[size];         // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
+  using Families = double[2 * size];  // NOLINT(modernize-avoid-c-arrays): warps, then wefts
+  alignas(64) Lanes f1x, f1y, f1z, f2x, f2y, f2z; ///< unit yarn vectors
+  alignas(64) Families over_stretch;              ///< 1/lambda
+  alignas(64) Families strain;                    ///< lambda - 1
+  alignas(64) Families weighed_strain;            ///< times the reference area [m^2]
+  alignas(64) Families base_tension;              ///< tension less that of the element's own spring [N/m]
+};
+
+/// Strips of a block side by side.
+struct StripLanes {
+  static constexpr int size = 2 * ElementBlocks::capacity;
+  using Lanes = double[size];      // NOLINT(modernize-avoid-c-arrays)
+  alignas(64) Lanes sum;          ///< of the entries' weighed strains [m^2]
+  alignas(64) Lanes base_tension; ///< [N/m]
+  alignas(64) Lanes lost;         ///< in damping, of the step [J]
+};
+
+/// Some elements of a block through one part of the work.
+struct MembraneBatch {
+  static constexpr int size = 64;
+  using Lanes = double[size]; // NOLINT(modernize-avoid-c-arrays)
+
+  alignas(64) Lanes d1x, d1y, d1z, d2x, d2y, d2z; ///< edges from corner 0 [m]
+  alignas(64) Lanes old_sine, sine;               ///< f1 . f2
+  alignas(64) Lanes old_angle, angle, rate;       ///< of the law's point
+  alignas(64) Lanes old_force, force, lost;       ///< N; power dissipated over cos(theta)
+  alignas(64) Lanes work, dissipated;             ///< of the step [J]
+  alignas(64) Lanes p1x, p1y, p1z, p2x, p2y, p2z; ///< forces on corners 1 and 2 [N]
+};
+
+/// What an element is made of, per place: gradients [1/m] and reference area [m^2]. Sizes: places of the block.
+struct MembraneCoefficients {
+  const double *warp_1, *warp_2, *weft_1, *weft_2, *area;
+};
+
+/// Yarn vectors and strains of places first, first + 1, ... of the block from the batch's edges.
+void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& b, int first, int count, BlockLanes& lanes);
+
+/// Sine and shear angle, counted from `reference_angle` [rad].
+void shear_angles(const BlockLanes& lanes, int first, int count, double reference_angle, MembraneBatch& b);
+
+/// Advances the points of the viscous law by dt: the same bits as ViscousLaw::update.
+void update(const ViscousLaw& law, MembraneBatch& b, int count, double dt);
+
+/// Works of the step and corner forces, of tension and shear. `spring` is that of elements to their strips [N/m].
+void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& lanes, int first, int count,
+                       double dt, MembraneBatch& b);
+
+/// Corner forces of tension alone.
+void tension(const MembraneCoefficients& c, double spring, const BlockLanes& lanes, int first, int count,
+             MembraneBatch& b);
+
+/// Weighs the strains of the first `count` places; base tensions such that there is none where the strip is another
+/// block's.
+void weigh_strains(const double* area, double spring, int count, BlockLanes& lanes);
+
+/// Base tensions of strips from the sums over their entries, `viscosity` [N/m] times the change of strain being the
+/// tension of damping; advances `strain`. `area` of each strip [m^2].
+void strip_tensions(const YarnLaw& yarn, double viscosity, double spring, const double* area, double* strain, int count,
+                    StripLanes& s);
+
+/// Four numbers at once; the last is padding.
+using Vec4 = double __attribute__((vector_size(32)));
+
+/// Edges of elements from the nodes' positions; `corner` three an element.
+void gather_edges(const Vec4* position, const std::uint16_t* corner, int count, MembraneBatch& b);
+
+/// Adds the corner forces of elements to those of the nodes.
+void add_forces(const MembraneBatch& b, const std::uint16_t* corner, int count, Vec4* force);
+
+} // namespace towform
