@@ -1,7 +1,9 @@
 #pragma once
+#include "contact/facet_neighbours.hpp"
 #include "contact/tool.hpp"
 #include "towform/state.hpp"
-#include <array>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace towform {
@@ -9,32 +11,18 @@ namespace towform {
 /// Node-to-surface penalty contact of the sheet with one tool (physics: contact). A node touches when the
 /// tool is nearer than half the sheet's thickness, on either face. Normal force k g + damping, never pulling;
 /// Coulomb friction through a tangential spring k_t with return mapping, so that a resting sheet does not
-/// creep.
+/// creep. Stiffness and damping are in proportion to a node's mass m: k = beta m / dt^2, c = 2 zeta sqrt(k m).
 struct Contact {
   int tool = 0;
-  double half_thickness = 0.0;   ///< [m]
-  std::vector<double> stiffness; ///< n, k = beta m / dt^2 [N/m]
-  std::vector<double> damping;   ///< n, c = 2 zeta sqrt(k m), normal and while sticking [N s/m]
-  double stick_ratio = 1.0;      ///< k_t / k
-};
+  double half_thickness = 0.0;     ///< [m]
+  double stiffness_per_mass = 0.0; ///< beta / dt^2 [1/s^2]
+  double damping_per_mass = 0.0;   ///< of the normal motion and while sticking [1/s]
+  double stick_ratio = 1.0;        ///< k_t / k
+  std::unique_ptr<const FacetNeighbours> neighbours;
 
-/// What the search remembers about a node: the facets below hold the nearest one while the node is within
-/// `reach` of `anchor`. Only speed depends on it, never the result.
-struct SearchMemory {
-  static constexpr std::size_t capacity = 8;
-  Vec3 anchor;         ///< in the tool's frame
-  float reach = -1.0F; ///< [m]
-  int count = 0;
-  std::array<NearFacet, capacity> facets{}; ///< nearest to the anchor first
-};
-
-/// The plane of the facet that a node is nearest to while it is within a distance of `anchor`. Only speed
-/// depends on it, as the facet search gives the same bits.
-struct NearPlane {
-  Vec3 normal;                 ///< of the facet
-  double offset = 0.0;         ///< of the facet [m]
-  Vec3 anchor;                 ///< in the tool's frame
-  double reach_squared = -1.0; ///< [m^2]
+  Contact() = default;
+  /// With `tool` number `number`, which must stay where it is. `beta` and `zeta` [-] at steps of dt [s].
+  Contact(const Tool& tool, int number, double half_thickness, double beta, double zeta, double dt);
 };
 
 /// Energies of contact with a tool. Elastic at t_n; the others since the start [J].
@@ -42,26 +30,30 @@ struct ContactEnergies {
   double elastic = 0.0, damping = 0.0, friction = 0.0;
 };
 
+/// What a search has found out about nodes, as long as they are within a distance of an anchor: the plane of the facet
+/// that a node is nearest to, or that it cannot touch. Only speed depends on it, as a search gives the same bits.
+struct ContactPlanes {
+  std::vector<double> normal_x, normal_y, normal_z, offset; ///< n, normal . x = offset [m]; far below for no plane
+  std::vector<double> anchor_x, anchor_y, anchor_z;         ///< n, in the tool's frame [m]
+  std::vector<double> reach_squared;                        ///< n [m^2]; negative: to be searched for
+  std::vector<int> facet;                                   ///< n, found last; -1 before the first search
+};
+
 /// What changes of a contact.
 struct ContactState {
-  std::vector<Vec3> stick;          ///< n, stretch of the tangential spring [m]
-  std::vector<double> normal_force; ///< n [N]
-  double penetration = 0.0;         ///< deepest at t_n [m]
+  std::vector<double> stick_x, stick_y, stick_z; ///< n, stretch of the tangential spring [m]
+  std::vector<double> normal_force;              ///< n [N]
+  double penetration = 0.0; ///< deepest at t_n [m]
   int deepest_node = 0;
   ContactEnergies energies;
-
-  std::vector<NearPlane> plane;     ///< n
-  std::vector<SearchMemory> memory; ///< n
-  std::vector<double> wake;         ///< n, travel at which the tool may be reached [m]
-  double travel = 0.0;              ///< bound of what any node has moved against the tool since the start [m]
+  ContactPlanes planes;
 };
 
 /// Sizes a contact's state.
 void start(const Contact& contact, std::size_t nodes, ContactState& c);
 
-/// Adds the contact forces at x_n to s.force and sets the tool's reaction. `fastest` bounds the sheet's nodal
-/// speeds over the last step [m/s].
-void contact_forces(const Contact& contact, const Tool& tool, ToolState& tool_state, ContactState& c,
-                    State& s, double dt, double fastest);
+/// Adds the contact forces at x_n to s.force and sets the tools' reactions. `mass` of each node [kg].
+void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
+                    std::span<ContactState> states, std::span<const double> mass, State& s, double dt);
 
 } // namespace towform

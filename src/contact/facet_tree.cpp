@@ -1,23 +1,35 @@
 #include "contact/facet_tree.hpp"
 #include <fcl/geometry/bvh/BVH_model.h>
-#include <limits>
+#include <algorithm>
 
 namespace towform {
 
 static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "FCL's package is built with 16-byte alignment");
 
 namespace {
-using Box = fcl::AABB<double>;
 
 constexpr int stack_size = 128; // a walk never holds more entries than the tree has levels, plus one
 
-double distance_squared(const Box& box, const Vec3& p)
+struct Box {
+  Vec3 low, high;
+};
+
+/// How far x lies outside low .. high.
+inline double outside(double x, double low, double high) { return std::max(std::max(low - x, x - high), 0.0); }
+
+inline double distance_squared(const Box& box, const Vec3& p)
 {
-  const double dx = std::max({box.min_.x() - p.x, 0.0, p.x - box.max_.x()});
-  const double dy = std::max({box.min_.y() - p.y, 0.0, p.y - box.max_.y()});
-  const double dz = std::max({box.min_.z() - p.z, 0.0, p.z - box.max_.z()});
+  const double dx = outside(p.x, box.low.x, box.high.x), dy = outside(p.y, box.low.y, box.high.y),
+               dz = outside(p.z, box.low.z, box.high.z);
   return dx * dx + dy * dy + dz * dz;
 }
+
+inline bool overlap(const Box& a, const Box& b)
+{
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
+         a.low.z <= b.high.z && b.low.z <= a.high.z;
+}
+
 } // namespace
 
 /// FCL's tree flattened: our traversal touches nothing else of it.
@@ -32,7 +44,7 @@ struct FacetTree::Boxes {
 
 FacetTree::FacetTree(const SurfaceMesh& mesh)
 {
-  fcl::BVHModel<Box> model;
+  fcl::BVHModel<fcl::AABB<double>> model;
   model.beginModel(static_cast<int>(mesh.triangles.size()), static_cast<int>(mesh.points.size()));
   std::vector<fcl::Vector3d> points;
   points.reserve(mesh.points.size());
@@ -51,7 +63,8 @@ FacetTree::FacetTree(const SurfaceMesh& mesh)
   boxes->nodes.resize(static_cast<std::size_t>(model.getNumBVs()));
   for (int i = 0; i < model.getNumBVs(); ++i) {
     const auto& from = model.getBV(i);
-    boxes->nodes[i] = {from.bv, from.isLeaf() ? -1 : from.leftChild(),
+    const auto corner = [](const fcl::Vector3d& v) { return Vec3{v.x(), v.y(), v.z()}; };
+    boxes->nodes[i] = {{corner(from.bv.min_), corner(from.bv.max_)}, from.isLeaf() ? -1 : from.leftChild(),
                        from.isLeaf() ? from.primitiveId() : -1};
   }
   boxes_ = std::move(boxes);
@@ -118,31 +131,27 @@ int FacetTree::nearest(const Vec3& p, double bound) const
   return facet;
 }
 
-std::size_t FacetTree::nearest_few(const Vec3& p, double bound, std::span<NearFacet> found) const
+std::vector<int> FacetTree::in_box_round(const Facet& facet, double distance) const
 {
-  struct Candidate {
-    double distance_squared;
-    int facet;
-    auto operator<=>(const Candidate&) const = default;
+  const auto& [a, b, c] = facet.corner;
+  const auto grown = [distance](double x, double y, double z) {
+    return std::pair(std::min({x, y, z}) - distance, std::max({x, y, z}) + distance);
   };
-  std::array<Candidate, most_few + 1> best; // in order, with room for one to be dropped
-  std::size_t count = 0;
-  double limit = bound * bound;
-  walk(
-      p, [&] { return limit; },
-      [&](int facet, double d2) {
-        if (d2 > limit) return;
-        const Candidate candidate{d2, facet};
-        std::size_t at = count;
-        for (; at > 0 && candidate < best[at - 1]; --at) best[at] = best[at - 1];
-        best[at] = candidate;
-        if (count < found.size()) ++count;
-        if (count == found.size()) limit = std::min(limit, best[count - 1].distance_squared);
-      });
-  constexpr double down = 1.0 - 1e-6; // more than a float's rounding
-  for (std::size_t i = 0; i < count; ++i)
-    found[i] = {best[i].facet, static_cast<float>(down * std::sqrt(best[i].distance_squared))};
-  return count;
+  const auto x = grown(a.x, b.x, c.x), y = grown(a.y, b.y, c.y), z = grown(a.z, b.z, c.z);
+  const Box box{{x.first, y.first, z.first}, {x.second, y.second, z.second}};
+  std::vector<int> found;
+  std::vector<int> open{0};
+  while (!open.empty()) {
+    const Boxes::Node& node = boxes_->nodes[open.back()];
+    open.pop_back();
+    if (!overlap(node.box, box)) continue;
+    if (node.facet >= 0)
+      found.push_back(node.facet);
+    else
+      open.insert(open.end(), {node.left, node.left + 1});
+  }
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 } // namespace towform

@@ -1,9 +1,7 @@
 #pragma once
 #include "contact/facet.hpp"
-#include "contact/near_facet.hpp"
 #include "towform/surface_mesh.hpp"
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace towform {
@@ -20,10 +18,8 @@ public:
   /// The facet nearest to p within `bound` [m] (of equals, the lowest number), or -1.
   [[nodiscard]] int nearest(const Vec3& p, double bound) const;
 
-  /// The facets nearest to p within `bound` [m], nearest first (of equals, the lowest number), as many as
-  /// there are and `found` has room for; returns how many.
-  static constexpr std::size_t most_few = 16; ///< of `found`
-  std::size_t nearest_few(const Vec3& p, double bound, std::span<NearFacet> found) const;
+  /// Facets, itself among them, whose boxes overlap the box round a facet grown by `distance` [m], ascending.
+  [[nodiscard]] std::vector<int> in_box_round(const Facet& facet, double distance) const;
 
   [[nodiscard]] const Facet& facet(int number) const { return facets_[number]; }
 

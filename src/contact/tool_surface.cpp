@@ -1,5 +1,4 @@
 #include "contact/tool_surface.hpp"
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -8,7 +7,7 @@ namespace towform {
 
 ToolSurface::ToolSurface(SurfaceMesh mesh)
     : mesh_(std::move(mesh)), tree_(mesh_), edge_normal_(mesh_.triangles.size()),
-      border_edge_(mesh_.triangles.size()), corner_normal_(mesh_.points.size()),
+      across_(mesh_.triangles.size()), corner_normal_(mesh_.points.size()),
       border_corner_(mesh_.points.size(), 0), lowest_(mesh_.points.front()), highest_(mesh_.points.front())
 {
   for (const Vec3& p : mesh_.points) {
@@ -30,7 +29,7 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
     for (int k = 0; k < 3; ++k) {
       const int from = mesh_.triangles[t][k], to = mesh_.triangles[t][(k + 1) % 3];
       const auto other = facet_of_edge.find({to, from});
-      border_edge_[t][k] = other == facet_of_edge.end();
+      across_[t][k] = other == facet_of_edge.end() ? -1 : other->second;
       edge_normal_[t][k] = tree_.facet(static_cast<int>(t)).normal;
       if (other != facet_of_edge.end())
         edge_normal_[t][k] += tree_.facet(other->second).normal;
@@ -39,7 +38,7 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
     }
 }
 
-SurfacePoint ToolSurface::with_side(const Vec3& p, int facet, const FacetPoint& near) const
+SurfacePoint ToolSurface::at(const Vec3& p, int facet, const FacetPoint& near) const
 {
   SurfacePoint result;
   result.facet = facet;
@@ -55,7 +54,7 @@ SurfacePoint ToolSurface::with_side(const Vec3& p, int facet, const FacetPoint& 
   if (near.feature < Feature::corner_0) {
     const int k = static_cast<int>(near.feature) - static_cast<int>(Feature::edge_0);
     normal = edge_normal_[facet][k];
-    result.on_border = border_edge_[facet][k];
+    result.on_border = across_[facet][k] < 0;
   } else {
     const int node =
         mesh_.triangles[facet][static_cast<int>(near.feature) - static_cast<int>(Feature::corner_0)];
@@ -72,6 +71,11 @@ SurfacePoint ToolSurface::with_side(const Vec3& p, int facet, const FacetPoint& 
   return result;
 }
 
+SurfacePoint ToolSurface::at(const Vec3& p, int facet) const
+{
+  return at(p, facet, nearest_on_facet(tree_.facet(facet), p));
+}
+
 SurfacePoint ToolSurface::nearest(const Vec3& p, int hint, double bound) const
 {
   if (hint >= 0)
@@ -79,47 +83,7 @@ SurfacePoint ToolSurface::nearest(const Vec3& p, int hint, double bound) const
         std::min(bound, std::sqrt(nearest_on_facet(tree_.facet(hint), p).distance_squared) * (1.0 + 1e-12));
   const int facet = tree_.nearest(p, std::min(bound, 1e100));
   if (facet < 0) return {};
-  return with_side(p, facet, nearest_on_facet(tree_.facet(facet), p));
-}
-
-SurfacePoint ToolSurface::nearest_of(const Vec3& p, std::span<const NearFacet> facets, double moved) const
-{
-  int best = facets.front().facet;
-  FacetPoint nearest = nearest_on_facet(tree_.facet(best), p);
-  for (const NearFacet& other : facets.subspan(1)) {
-    const double bound = other.distance - moved;
-    constexpr double rounding = 1.0 + 1e-9;
-    if (bound > 0.0 && bound * bound > rounding * nearest.distance_squared) break; // nor can any after it
-    const FacetPoint point = nearest_on_facet(tree_.facet(other.facet), p);
-    if (point.distance_squared < nearest.distance_squared ||
-        (point.distance_squared == nearest.distance_squared && other.facet < best)) {
-      nearest = point;
-      best = other.facet;
-    }
-  }
-  return with_side(p, best, nearest);
-}
-
-double ToolSurface::plane_reach(const Vec3& p, const SurfacePoint& nearest, std::span<const NearFacet> facets,
-                                double moved) const
-{
-  const Facet& f = tree_.facet(nearest.facet);
-  const double side = nearest.distance < 0.0 ? -1.0 : 1.0, height = std::abs(nearest.distance);
-  double reach = height; // beyond its own plane, what lies behind it comes to the front
-  for (std::size_t k = 0; k < 3; ++k) reach = std::min(reach, dot(f.inward[k], p - f.corner[k]));
-  for (const NearFacet& near : facets) {
-    if (near.facet == nearest.facet) continue;
-    const Facet& g = tree_.facet(near.facet);
-    constexpr double touching = 1e-12; // [m]
-    const auto behind = [&](const Vec3& corner) { return side * f.height(corner) <= touching; };
-    if (std::all_of(g.corner.begin(), g.corner.end(), behind)) continue;
-    const double by_distance = 0.5 * (near.distance - moved - height);
-    const double turn = norm(g.normal - f.normal);
-    const double to_bisector = turn > 0.0 ? (side * g.height(p) - height) / turn : 0.0;
-    reach = std::min(reach, std::max(by_distance, to_bisector));
-  }
-  constexpr double rounding = 1e-7; // [m], of what is "inside" and "behind"
-  return reach - rounding;
+  return at(p, facet);
 }
 
 } // namespace towform

@@ -1,10 +1,8 @@
 #pragma once
 #include "contact/facet.hpp"
 #include "contact/facet_tree.hpp"
-#include "contact/near_facet.hpp"
 #include "towform/surface_mesh.hpp"
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace towform {
@@ -32,27 +30,20 @@ public:
   /// is within `bound` [m].
   [[nodiscard]] SurfacePoint nearest(const Vec3& p, int hint = -1,
                                      double bound = std::numeric_limits<double>::max()) const;
-  /// Nearest point among some facets (not empty) that come in the order of their distance from a point
-  /// `moved` away from p; of equally near ones the lowest number, as in `nearest`.
-  [[nodiscard]] SurfacePoint nearest_of(const Vec3& p, std::span<const NearFacet> facets, double moved) const;
-
-  /// How far p may move, in any direction, while its nearest point stays inside the facet that `nearest` is
-  /// inside of [m], as far as `facets` tell (see nearest_of); not positive when it may change at once. Facets
-  /// behind its plane can come no nearer, those in front of it not before p is on the plane that halves
-  /// the angle between both.
-  [[nodiscard]] double plane_reach(const Vec3& p, const SurfacePoint& nearest, std::span<const NearFacet> facets,
-                                   double moved) const;
+  /// The point of one facet nearest to p, with the side of the tool that p is on if no facet is nearer.
+  [[nodiscard]] SurfacePoint at(const Vec3& p, int facet) const;
+  [[nodiscard]] SurfacePoint at(const Vec3& p, int facet, const FacetPoint& nearest) const;
+  /// The facet beyond edge k of a facet, or -1 where the surface ends.
+  [[nodiscard]] int across(int facet, int k) const { return across_[facet][k]; }
 
   [[nodiscard]] Vec3 lowest() const { return lowest_; }   ///< corner of the bounding box
   [[nodiscard]] Vec3 highest() const { return highest_; } ///< opposite corner
 
 private:
-  [[nodiscard]] SurfacePoint with_side(const Vec3& p, int facet, const FacetPoint& nearest) const;
-
   SurfaceMesh mesh_;
   FacetTree tree_;
   std::vector<std::array<Vec3, 3>> edge_normal_;
-  std::vector<std::array<bool, 3>> border_edge_;
+  std::vector<std::array<int, 3>> across_;
   std::vector<Vec3> corner_normal_; // of mesh points
   std::vector<char> border_corner_;
   Vec3 lowest_, highest_;

@@ -8,23 +8,19 @@ namespace towform {
 
 namespace {
 
-/// Searches node after node, which are near each other: the tool and the facets found last come first.
+/// Searches node after node: from the facet that contact has found last, or that of the node before, which is near.
 class NearestTool {
 public:
-  NearestTool(const Model& model, const System& s) : model_(model), hint_(model.tools.size(), -1)
-  {
-    for (std::size_t i = 0; i < model.tools.size(); ++i)
-      shift_.push_back(s.tools[i].displacement * model.tools[i].direction);
-  }
+  NearestTool(const Model& model, const System& s) : model_(model), s_(s), hint_(model.tools.size(), -1) {}
 
-  /// Signed distance from the nearest tool [m].
-  double distance(const Vec3& x)
+  /// Signed distance of a node from the nearest tool [m].
+  double distance(std::size_t node)
   {
-    SurfacePoint best = from(last_, x, std::numeric_limits<double>::max());
+    SurfacePoint best = from(last_, node, std::numeric_limits<double>::max());
     const std::size_t first = last_;
-    for (std::size_t i = 0; i < shift_.size(); ++i) {
+    for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
       if (i == first) continue;
-      const SurfacePoint other = from(i, x, std::abs(best.distance));
+      const SurfacePoint other = from(i, node, std::abs(best.distance));
       if (other.facet < 0) continue;
       const double more = std::abs(other.distance) - std::abs(best.distance);
       if (more > 0.0 || (more == 0.0 && other.distance >= best.distance)) continue;
@@ -35,15 +31,21 @@ public:
   }
 
 private:
-  SurfacePoint from(std::size_t tool, const Vec3& x, double bound)
+  SurfacePoint from(std::size_t contact, std::size_t node, double bound)
   {
-    const SurfacePoint found = model_.tools[tool].surface.nearest(x - shift_[tool], hint_[tool], bound);
-    if (found.facet >= 0) hint_[tool] = found.facet;
+    const int number = model_.contacts[contact].tool;
+    const Tool& tool = model_.tools[number];
+    const Vec3 x = s_.sheet.position[node] - s_.tools[number].displacement * tool.direction;
+    const int met = s_.contacts[contact].planes.facet[node], hint = met >= 0 ? met : hint_[contact];
+    if (hint >= 0)
+      if (const auto nearby = model_.contacts[contact].neighbours->nearest(x, hint)) return nearby->point;
+    const SurfacePoint found = tool.surface.nearest(x, hint, bound);
+    if (found.facet >= 0) hint_[contact] = found.facet;
     return found;
   }
 
   const Model& model_;
-  std::vector<Vec3> shift_;
+  const System& s_;
   std::vector<int> hint_;
   std::size_t last_ = 0;
 };
@@ -57,7 +59,7 @@ std::vector<double> clearances(const Model& model, const System& s)
   parallel_ranges(static_cast<std::ptrdiff_t>(clearance.size()), [&](auto begin, auto end) {
     NearestTool nearest(model, s);
     for (auto n = begin; n < end; ++n)
-      clearance[n] = nearest.distance(s.sheet.position[n]) - 0.5 * model.membrane.thickness;
+      clearance[n] = nearest.distance(static_cast<std::size_t>(n)) - 0.5 * model.membrane.thickness;
   });
   return clearance;
 }

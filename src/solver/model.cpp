@@ -91,16 +91,9 @@ void set_inertia(const Case& c, Model& model)
   model.first_step = model.step_factor * bound().at(sheet).step;
 
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
-    Contact contact;
-    contact.tool = static_cast<int>(i);
-    contact.half_thickness = 0.5 * c.blank.thickness;
-    contact.stick_ratio = c.contact.stick;
-    for (const double mass : model.mass) {
-      const double stiffness = c.contact.penalty * mass / (model.first_step * model.first_step);
-      contact.stiffness.push_back(stiffness);
-      contact.damping.push_back(2.0 * c.contact.damping * std::sqrt(stiffness * mass));
-    }
-    model.contacts.push_back(std::move(contact));
+    model.contacts.emplace_back(model.tools[i], static_cast<int>(i), 0.5 * c.blank.thickness, c.contact.penalty,
+                                c.contact.damping, model.first_step);
+    model.contacts.back().stick_ratio = c.contact.stick;
   }
 }
 

@@ -68,19 +68,18 @@ void visit(FieldVisitor& v, ToolState& s)
 
 void visit(FieldVisitor& v, ContactState& s)
 {
-  auto& [stick, normal_force, penetration, deepest_node, energies, plane, memory, wake, travel] = s;
+  auto& [stick_x, stick_y, stick_z, normal_force, penetration, deepest_node, energies, planes] = s;
   auto& [elastic, damping, friction] = energies;
-  v("stick", stick);
+  v("stick_x", stick_x);
+  v("stick_y", stick_y);
+  v("stick_z", stick_z);
   v("normal_force", normal_force);
   v("penetration", penetration);
   v("deepest_node", deepest_node);
   v("elastic", elastic);
   v("damping", damping);
   v("friction", friction);
-  v.rebuilt("plane");  // and
-  v.rebuilt("memory"); // facets near each node: remembered to save time, and found again
-  v("wake", wake);
-  v("travel", travel);
+  v.rebuilt("planes"); // of the facets near each node: remembered to save time, and found again
 }
 
 void visit(FieldVisitor& v, BoundaryState& s)

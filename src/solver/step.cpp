@@ -61,12 +61,8 @@ void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
   for (const Gravity& gravity : model.gravity) gravity.add(s.sheet.force);
   for (std::size_t i = 0; i < model.pressure.size(); ++i)
     pressure_forces(model.pressure[i], model.membrane, s.pressure[i], s.sheet);
-  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    const Contact& contact = model.contacts[i];
-    ToolState& tool = s.tools[contact.tool];
-    contact_forces(contact, model.tools[contact.tool], tool, s.contacts[i], s.sheet, dt, s.fastest);
-    tool.reaction *= model.mirror_factor;
-  }
+  contact_forces(model.contacts, model.tools, s.tools, s.contacts, model.mass, s.sheet, dt);
+  for (ToolState& tool : s.tools) tool.reaction *= model.mirror_factor;
   hold_on_mirrors(model.blank, s.sheet);
   for (std::size_t i = 0; i < model.boundaries.size(); ++i)
     take_reaction(model.boundaries[i], s.boundaries[i], s.sheet);

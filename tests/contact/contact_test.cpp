@@ -1,4 +1,4 @@
-#include "contact/contact.hpp"
+#include "contact/one_contact.hpp"
 #include "contact/shapes.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -19,12 +19,9 @@ struct Block {
   double work = 0.0; ///< of the weight
 
   Block(SurfaceMesh mesh, double friction, double damping, const Vec3& at)
-      : tool{"tool", ToolSurface(std::move(mesh)), friction, {}, {}, {0, 0, 1}, 0.0}
+      : tool{"tool", ToolSurface(std::move(mesh)), friction, {}, {}, {0, 0, 1}, 0.0},
+        contact(tool, 0, half, 0.1, damping, dt)
   {
-    const double stiffness = 0.1 * mass / (dt * dt);
-    contact.half_thickness = half;
-    contact.stiffness = {stiffness};
-    contact.damping = {2.0 * damping * std::sqrt(stiffness * mass)};
     s.position = {at};
     s.velocity = {{}};
     s.force = {{}};
@@ -39,8 +36,9 @@ struct Block {
     s.position[0] += dt * s.velocity[0];
     work += dot(weight, s.position[0] - before);
     s.force[0] = {};
-    contact_forces(contact, tool, tool_state, contact_state, s, dt, norm(s.velocity[0]));
+    test::contact_forces(contact, tool, tool_state, contact_state, mass, s, dt);
   }
+  [[nodiscard]] double stiffness() const { return contact.stiffness_per_mass * mass; }
   [[nodiscard]] double energy() const
   {
     const ContactEnergies& e = contact_state.energies;
@@ -75,7 +73,7 @@ TEST(Contact, HoldsTheSheetOffByHalfItsThicknessOnEitherFace)
                 {0.1, 0.2, side * half});
     block.weight = {0.0, 0.0, -side * 0.01};
     for (int i = 0; i < 5000; ++i) block.step();
-    EXPECT_NEAR(block.s.position[0].z, side * (half - 0.01 / block.contact.stiffness[0]), 1e-12);
+    EXPECT_NEAR(block.s.position[0].z, side * (half - 0.01 / block.stiffness()), 1e-12);
     EXPECT_NEAR(block.tool_state.reaction.z, -side * 0.01, 1e-6);
   }
 }
@@ -87,7 +85,7 @@ TEST(Contact, SticksOnASlopeBelowTheFrictionAngleAndDoesNotCreep)
   block.weight = {pull, 0.0, -0.01};
   for (int i = 0; i < 20000; ++i) block.step();
   const double settled = block.s.position[0].x;
-  EXPECT_NEAR(settled, pull / block.contact.stiffness[0], 0.2 * pull / block.contact.stiffness[0]);
+  EXPECT_NEAR(settled, pull / block.stiffness(), 0.2 * pull / block.stiffness());
   for (int i = 0; i < 20000; ++i) block.step();
   EXPECT_NEAR(block.s.position[0].x, settled, 1e-9);
 }
@@ -136,16 +134,12 @@ TEST(Contact, TheSearchMemoryNeverChangesTheForces)
   // A node wandering round a sphere: remembered facets against a fresh search at every step.
   Tool tool{"ball", ToolSurface(test::sphere(0.05, 16)), 0.0, {}, {}, {0, 0, 1}, 0.0};
   ToolState moving, fresh_tool;
-  Contact contact;
-  contact.half_thickness = half;
-  contact.stiffness = {1e4};
-  contact.damping = {0.0};
+  const Contact contact(tool, 0, half, 0.1, 0.0, dt);
   State s;
   s.velocity = {{}};
   ContactState remembered;
   start(contact, 1, remembered);
   int touching = 0;
-  Vec3 last{0.0505, 0.0, 0.0};
   for (int i = 0; i < 20000; ++i) {
     const double turn = 2e-3 * i;
     const double r = 0.0503 + 6e-4 * std::sin(0.37 * turn);
@@ -153,13 +147,12 @@ TEST(Contact, TheSearchMemoryNeverChangesTheForces)
                             std::sin(0.1 * turn)};
     s.position = {x};
     s.force = {{}};
-    contact_forces(contact, tool, moving, remembered, s, dt, norm(x - last) / dt);
-    last = x;
+    test::contact_forces(contact, tool, moving, remembered, mass, s, dt);
     const Vec3 force = s.force[0];
     ContactState fresh;
     start(contact, 1, fresh);
     s.force = {{}};
-    contact_forces(contact, tool, fresh_tool, fresh, s, dt, 0.0);
+    test::contact_forces(contact, tool, fresh_tool, fresh, mass, s, dt);
     ASSERT_EQ(force, s.force[0]) << "step " << i;
     if (norm(force) > 0.0) ++touching;
   }

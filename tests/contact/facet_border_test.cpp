@@ -1,4 +1,4 @@
-#include "contact/contact.hpp"
+#include "contact/one_contact.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -25,10 +25,7 @@ double ripple(int sides)
 {
   const double radius = 0.05, half = 0.5e-3;
   const Tool tool{"roll", ToolSurface(prism(radius, 0.2, sides)), 0.0, {}, {}, {0, 0, 1}, 0.0};
-  Contact contact;
-  contact.half_thickness = half;
-  contact.stiffness = {1e6};
-  contact.damping = {0.0};
+  const Contact contact(tool, 0, half, 0.1, 0.0, 1e-6);
   ToolState tool_state;
   State s;
   s.velocity = {{}};
@@ -41,7 +38,7 @@ double ripple(int sides)
     s.force = {{}};
     ContactState c;
     start(contact, 1, c);
-    contact_forces(contact, tool, tool_state, c, s, 1e-6, 0.0);
+    test::contact_forces(contact, tool, tool_state, c, 1e-5, s, 1e-6);
     EXPECT_GT(dot(s.force[0], out), 0.0) << "at " << turn << ", " << sides << " sides";
     most = std::max(most, std::abs(dot(s.force[0], along)) / dot(s.force[0], out));
   }

@@ -1,5 +1,5 @@
 #include "element/arcsine.hpp"
-#include "element/membrane_batch.hpp"
+#include "element/membrane_lanes.hpp"
 #include "material/gf_pp.hpp"
 #include "material/shear_resistance.hpp"
 #include <gtest/gtest.h>

@@ -1,0 +1,108 @@
+#include "contact/facet_neighbours.hpp"
+#include "contact/shapes.hpp"
+#include <gtest/gtest.h>
+#include <random>
+
+namespace towform {
+namespace {
+
+/// A tray: flat squares in one plane, a sharp inner corner, and a rough floor, so that facets are convex, concave
+/// and level to each other; open at its rim.
+SurfaceMesh tray()
+{
+  SurfaceMesh mesh;
+  constexpr int n = 24;
+  constexpr double pitch = 2.5e-3;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const bool floor = i > n / 3 && j > n / 4;
+      const double rough = floor ? 4e-4 * std::sin(1.7 * i) * std::cos(2.3 * j) - 4e-3 : 0.0;
+      mesh.points.push_back({pitch * i, pitch * j, rough});
+    }
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = c - 1;
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+    }
+  return mesh;
+}
+
+class Wander {
+public:
+  explicit Wander(unsigned seed) : generator_(seed) {}
+  Vec3 direction()
+  {
+    const Vec3 v{by_(generator_), by_(generator_), by_(generator_)};
+    return normalized(v);
+  }
+  double fraction() { return 0.5 + 0.5 * by_(generator_); }
+
+private:
+  std::mt19937 generator_;
+  std::uniform_real_distribution<double> by_{-1.0, 1.0};
+};
+
+TEST(FacetNeighbours, FindWhatAFullSearchFindsFromAnyFacetNearby)
+{
+  for (const bool flat : {true, false}) {
+    const ToolSurface surface(flat ? tray() : test::sphere(0.03, 24));
+    const FacetNeighbours neighbours(surface, 2e-3);
+    Wander wander(5);
+    int found = 0, far = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Triangle& t = surface.mesh().triangles[static_cast<std::size_t>(
+          wander.fraction() * 0.999 * static_cast<double>(surface.mesh().triangles.size()))];
+      const double a = wander.fraction(), b = wander.fraction() * (1.0 - a);
+      const Vec3 on = surface.mesh().points[t[0]] + a * (surface.mesh().points[t[1]] - surface.mesh().points[t[0]]) +
+                      b * (surface.mesh().points[t[2]] - surface.mesh().points[t[0]]);
+      const Vec3 p = on + 1.2e-3 * wander.fraction() * wander.direction();
+      const SurfacePoint full = surface.nearest(p);
+      const int start = surface.nearest(p + 3e-3 * wander.direction()).facet;
+      const auto nearby = neighbours.nearest(p, start);
+      if (!nearby) {
+        ++far;
+        continue;
+      }
+      ++found;
+      ASSERT_EQ(nearby->point.distance, full.distance) << i;
+      ASSERT_EQ(nearby->point.normal, full.normal) << i;
+      ASSERT_EQ(nearby->point.on_border, full.on_border) << i;
+    }
+    EXPECT_GT(found, 3000);
+    EXPECT_GT(far, 10);
+  }
+}
+
+TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
+{
+  for (const bool flat : {true, false}) {
+    const ToolSurface surface(flat ? tray() : test::sphere(0.03, 24));
+    const FacetNeighbours neighbours(surface, 2e-3);
+    Wander wander(11);
+    int planes = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const auto facet = static_cast<int>(wander.fraction() * 0.999 *
+                                          static_cast<double>(surface.mesh().triangles.size()));
+      const auto& corner = surface.tree().facet(facet).corner;
+      const double a = wander.fraction(), b = wander.fraction() * (1.0 - a);
+      const double height = (wander.fraction() < 0.5 ? -1.0 : 1.0) * (0.2e-3 + 0.5e-3 * wander.fraction());
+      const Vec3 p = corner[0] + a * (corner[1] - corner[0]) + b * (corner[2] - corner[0]) +
+                     height * surface.tree().facet(facet).normal;
+      const auto nearest = neighbours.nearest(p, facet);
+      if (!nearest || nearest->reach == 0.0) continue;
+      ++planes;
+      const Facet& f = surface.tree().facet(nearest->point.facet);
+      for (int k = 0; k < 8; ++k) {
+        const Vec3 q = p + (0.999 * nearest->reach) * wander.direction();
+        const SurfacePoint full = surface.nearest(q);
+        ASSERT_EQ(full.distance, f.height(q)) << i << ", reach " << nearest->reach;
+        ASSERT_EQ(full.normal, f.normal) << i;
+      }
+    }
+    EXPECT_GT(planes, 2000);
+  }
+}
+
+} // namespace
+} // namespace towform
