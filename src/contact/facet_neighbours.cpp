@@ -52,7 +52,8 @@ const FacetNeighbours::List& FacetNeighbours::make(int number) const
       return std::all_of(other.corner.begin(), other.corner.end(),
                          [&](const Vec3& c) { return side * f.height(c) <= touching; });
     };
-    made->push_back({near, all(1.0), all(-1.0)});
+    const double turn = norm(other.normal - f.normal);
+    made->push_back({other.normal, other.offset, turn > 0.0 ? 1.0 / turn : 0.0, near, all(1.0), all(-1.0)});
   }
   const List* there = nullptr;
   if (lists_[number].compare_exchange_strong(there, made.get(), std::memory_order_acq_rel)) return *made.release();
@@ -87,19 +88,15 @@ int FacetNeighbours::walk(const Vec3& p, int from) const
 /// facet is nearer, or as near.
 double FacetNeighbours::reach_inside(const Vec3& p, int facet, double height, double margin) const
 {
-  const Facet& f = surface_.tree().facet(facet);
   const double side = height < 0.0 ? -1.0 : 1.0, size = std::abs(height);
   double reach = std::min({size, margin, 0.5 * radius_ - size});
   for (const Neighbour& n : of(facet)) {
     if (side > 0.0 ? n.behind : n.before) continue;
-    const Facet& other = surface_.tree().facet(n.facet);
-    const double more = side * other.height(p) - size;
-    const double to_bisector = more / norm(other.normal - f.normal);
-    if (more > 0.0 && to_bisector > doubt) {
+    if (const double to_bisector = (side * n.height(p) - size) * n.over_turn; to_bisector > doubt) {
       reach = std::min(reach, to_bisector);
       continue;
     }
-    const double distance = std::sqrt(nearest_on_facet(other, p).distance_squared);
+    const double distance = std::sqrt(nearest_on_facet(surface_.tree().facet(n.facet), p).distance_squared);
     if (distance <= size + doubt) return -1.0;
     reach = std::min(reach, 0.5 * (distance - size));
   }
@@ -140,10 +137,9 @@ std::optional<FacetNeighbours::Nearest> FacetNeighbours::nearest(const Vec3& p, 
   }
   const int start = facet;
   for (const Neighbour& n : of(start)) {
-    const Facet& other = surface_.tree().facet(n.facet);
-    const double height = other.height(p);
+    const double height = n.height(p);
     if (height * height > best.distance_squared) continue;
-    const FacetPoint point = nearest_on_facet(other, p);
+    const FacetPoint point = nearest_on_facet(surface_.tree().facet(n.facet), p);
     if (point.distance_squared < best.distance_squared ||
         (point.distance_squared == best.distance_squared && n.facet < facet)) {
       best = point;

@@ -30,8 +30,13 @@ public:
 
 private:
   struct Neighbour {
+    Vec3 normal; ///< its plane, here to be read in a row
+    double offset;
+    double over_turn; ///< 1/|normal - the facet's normal|; 0 where they are the same
     int facet;
     bool behind, before; ///< all of it behind the facet's plane, or all on the other side
+
+    [[nodiscard]] double height(const Vec3& p) const { return dot(normal, p) - offset; }
   };
   using List = std::vector<Neighbour>;
   [[nodiscard]] const List& of(int facet) const

@@ -1,5 +1,8 @@
 #include "element/bending.hpp"
+#include "element/vec4.hpp"
 #include "parallel/parallel.hpp"
+#include "parallel/vector_clones.hpp"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -11,16 +14,6 @@ namespace {
 /// Enough for uniform bending to be exact to some 1e-4; see moment_balance.hpp.
 constexpr int balance_rounds = 50;
 
-/// Turns items of nodes into lists of points: `point_of(item)`, ascending per point.
-template <class Items, class PointOf>
-std::vector<int> offsets(const Items& items, std::size_t points, const PointOf& point_of)
-{
-  std::vector<int> first(points + 1, 0);
-  for (const auto& item : items) ++first[static_cast<std::size_t>(point_of(item)) + 1];
-  for (std::size_t i = 0; i < points; ++i) first[i + 1] += first[i];
-  return first;
-}
-
 } // namespace
 
 Bending::Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std::vector<double> node_area,
@@ -31,21 +24,30 @@ Bending::Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std:
   if (!curvature.complete())
     throw std::invalid_argument("the blank has too few elements to tell its curvature; bending needs more");
   const std::size_t nodes = curvature.nodes(), points = nodes + curvature.images.size();
-  first_share = offsets(curvature.terms, points, [](const CurvatureOperator::Term& t) { return t.point; });
-  shares.resize(curvature.terms.size());
-  std::vector<int> next(first_share.begin(), first_share.end() - 1);
-  for (std::size_t n = 0; n < nodes; ++n)
-    for (int t = curvature.first[n]; t < curvature.first[n + 1]; ++t) {
-      const CurvatureOperator::Term& term = curvature.terms[t];
-      shares[next[term.point]++] = {static_cast<int>(n), term.warp, term.weft};
+  for (std::size_t first = 0; first < nodes; first += block_size) {
+    Block b;
+    b.first_node = static_cast<int>(first);
+    b.nodes = static_cast<int>(std::min<std::size_t>(block_size, nodes - first));
+    const auto each_term = [&, this](const auto& work) {
+      for (int t = curvature.first[first]; t < curvature.first[first + static_cast<std::size_t>(b.nodes)]; ++t)
+        work(curvature.terms[t].point);
+    };
+    std::vector<int> reached;
+    each_term([&](int point) { reached.push_back(point); });
+    for (int i = 0; i < b.nodes; ++i) {
+      const CurvatureOperator::Chords& c = curvature.chords[first + static_cast<std::size_t>(i)];
+      reached.insert(reached.end(), {c.a0, c.a1, c.b0, c.b1});
     }
-  std::vector<int> end_points;
-  for (const CurvatureOperator::Chords& c : curvature.chords)
-    end_points.insert(end_points.end(), {c.a0, c.a1, c.b0, c.b1});
-  first_end = offsets(end_points, points, [](int point) { return point; });
-  ends.resize(end_points.size());
-  next.assign(first_end.begin(), first_end.end() - 1);
-  for (std::size_t i = 0; i < end_points.size(); ++i) ends[next[end_points[i]]++] = static_cast<unsigned>(i);
+    b.points = slots.add(std::move(reached));
+    const auto local = [&](int point) { return slots.local(b.points, point); };
+    each_term([&](int point) { term_point.push_back(local(point)); });
+    for (int i = 0; i < b.nodes; ++i) {
+      const CurvatureOperator::Chords& c = curvature.chords[first + static_cast<std::size_t>(i)];
+      ends.push_back({local(c.a0), local(c.a1), local(c.b0), local(c.b1)});
+    }
+    blocks.push_back(b);
+  }
+  slots.finish(points);
 }
 
 std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
@@ -76,65 +78,153 @@ std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
 void start(const Bending& bending, std::span<const Vec3> position, BendingState& b)
 {
   b.curvature = bending.curvature.at(position);
-  b.damping.assign(position.size(), 0.0);
-  b.moments.assign(position.size(), {});
-  b.turning.assign(2 * position.size(), {});
+  b.damping.assign(bending.blocks.size(), 0.0);
+  b.block_force.assign(bending.slots.count(), {});
   b.image.assign(bending.curvature.images.size(), {});
-  b.image_force.assign(bending.curvature.images.size(), {});
 }
 
 namespace {
 
-void nodal_moments(const Bending& bending, BendingState& b, const State& s, double dt, std::ptrdiff_t begin,
-                   std::ptrdiff_t end)
+/// A block's nodes side by side.
+struct BendingLanes {
+  static constexpr int size = Bending::block_size;
+  using Lanes = double[size]; // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
+
+  alignas(64) Lanes warp_x, warp_y, warp_z, weft_x, weft_y, weft_z; ///< second derivatives of x [1/m]
+  alignas(64) Lanes ax, ay, az, bx, by, bz;                         ///< chords [m]
+  alignas(64) Lanes nx, ny, nz, inverse;                            ///< normal, 1/|a x b|
+  alignas(64) Lanes warp_now, weft_now;                             ///< curvatures [1/m]
+  alignas(64) Lanes warp_moment, weft_moment;                       ///< times area [N m^2]
+  alignas(64) Lanes on_ax, on_ay, on_az, on_bx, on_by, on_bz;       ///< forces on the chords' first ends [N]
+};
+
+/// What the nodes of a block are made of.
+struct Patches {
+  const int* first;                         ///< of each node's terms, one more
+  const CurvatureOperator::Term* terms;     ///< of the whole sheet
+  const std::uint16_t* point;               ///< likewise
+  const std::array<std::uint16_t, 4>* ends; ///< of each node
+};
+
+TOWFORM_VECTOR_CLONES
+void gather(const Patches& p, int nodes, const Padded* __restrict x, BendingLanes& __restrict l)
 {
-  const CurvatureOperator& op = bending.curvature;
-  const ImagedPositions x(s.position, b.image);
-  const double warp_viscosity = bending.warp.stiffness() * bending.damping_time / dt;
-  const double weft_viscosity = bending.weft.stiffness() * bending.damping_time / dt;
-  for (std::ptrdiff_t n = begin; n < end; ++n) {
-    Vec3 warp, weft;
-    for (int t = op.first[n]; t < op.first[n + 1]; ++t) {
-      const CurvatureOperator::Term& term = op.terms[t];
-      const Vec3& p = x[term.point];
-      warp += term.warp * p;
-      weft += term.weft * p;
+  for (int n = 0; n < nodes; ++n) {
+    Vec4 warp{}, weft{};
+    for (int t = p.first[n]; t < p.first[n + 1]; ++t) {
+      const Vec4 at = x[p.point[t]].v;
+      warp += p.terms[t].warp * at;
+      weft += p.terms[t].weft * at;
     }
-    const CurvatureOperator::Chords& c = op.chords[n];
-    const Vec3 a = x[c.a1] - x[c.a0], chord_b = x[c.b1] - x[c.b0];
-    const Vec3 across = cross(a, chord_b);
-    const double inverse = 1.0 / norm(across);
-    const Vec3 normal = inverse * across;
-    const YarnPair now{dot(normal, warp), dot(normal, weft)};
-    const YarnPair change{now.warp - b.curvature[n].warp, now.weft - b.curvature[n].weft};
-    const double area = bending.area[n];
-    const double warp_moment = area * (bending.warp.moment(now.warp) + warp_viscosity * change.warp);
-    const double weft_moment = area * (bending.weft.moment(now.weft) + weft_viscosity * change.weft);
-    b.damping[n] +=
-        area * (warp_viscosity * change.warp * change.warp + weft_viscosity * change.weft * change.weft);
-    b.curvature[n] = now;
-    // dkappa = n . d(x,ii) + x,ii . dn, of which only the part in the surface turns the normal.
-    const Vec3 turning =
-        inverse * (warp_moment * (warp - now.warp * normal) + weft_moment * (weft - now.weft * normal));
-    b.moments[n] = {normal, warp_moment, weft_moment};
-    b.turning[2 * n] = cross(chord_b, turning);
-    b.turning[2 * n + 1] = cross(turning, a);
+    const auto [a0, a1, b0, b1] = p.ends[n];
+    const Vec4 a = x[a1].v - x[a0].v, b = x[b1].v - x[b0].v;
+    l.warp_x[n] = warp[0];
+    l.warp_y[n] = warp[1];
+    l.warp_z[n] = warp[2];
+    l.weft_x[n] = weft[0];
+    l.weft_y[n] = weft[1];
+    l.weft_z[n] = weft[2];
+    l.ax[n] = a[0];
+    l.ay[n] = a[1];
+    l.az[n] = a[2];
+    l.bx[n] = b[0];
+    l.by[n] = b[1];
+    l.bz[n] = b[2];
   }
 }
 
-Vec3 force_on(const Bending& bending, const BendingState& b, std::ptrdiff_t point)
+TOWFORM_VECTOR_CLONES
+void curve(int nodes, BendingLanes& __restrict l)
 {
-  Vec3 force;
-  for (int i = bending.first_share[point]; i < bending.first_share[point + 1]; ++i) {
-    const Bending::Share& share = bending.shares[i];
-    const BendingState::Moments& m = b.moments[share.node];
-    force -= (share.warp * m.warp + share.weft * m.weft) * m.normal;
+  for (int n = 0; n < nodes; ++n) {
+    const double cx = l.ay[n] * l.bz[n] - l.az[n] * l.by[n], cy = l.az[n] * l.bx[n] - l.ax[n] * l.bz[n],
+                 cz = l.ax[n] * l.by[n] - l.ay[n] * l.bx[n];
+    const double inverse = 1.0 / std::sqrt(cx * cx + cy * cy + cz * cz);
+    l.inverse[n] = inverse;
+    const double nx = inverse * cx, ny = inverse * cy, nz = inverse * cz;
+    l.nx[n] = nx;
+    l.ny[n] = ny;
+    l.nz[n] = nz;
+    l.warp_now[n] = nx * l.warp_x[n] + ny * l.warp_y[n] + nz * l.warp_z[n];
+    l.weft_now[n] = nx * l.weft_x[n] + ny * l.weft_y[n] + nz * l.weft_z[n];
   }
-  for (int i = bending.first_end[point]; i < bending.first_end[point + 1]; ++i) {
-    const unsigned end = bending.ends[i];
-    force += (end % 2 == 0 ? 1.0 : -1.0) * b.turning[end / 2];
+}
+
+/// dkappa = n . d(x,ii) + x,ii . dn, of which only the part in the surface turns the normal.
+TOWFORM_VECTOR_CLONES
+void turn(int nodes, BendingLanes& __restrict l)
+{
+  for (int n = 0; n < nodes; ++n) {
+    const double warp = l.inverse[n] * l.warp_moment[n], weft = l.inverse[n] * l.weft_moment[n];
+    const double along = warp * l.warp_now[n] + weft * l.weft_now[n];
+    const double tx = warp * l.warp_x[n] + weft * l.weft_x[n] - along * l.nx[n];
+    const double ty = warp * l.warp_y[n] + weft * l.weft_y[n] - along * l.ny[n];
+    const double tz = warp * l.warp_z[n] + weft * l.weft_z[n] - along * l.nz[n];
+    l.on_ax[n] = l.by[n] * tz - l.bz[n] * ty;
+    l.on_ay[n] = l.bz[n] * tx - l.bx[n] * tz;
+    l.on_az[n] = l.bx[n] * ty - l.by[n] * tx;
+    l.on_bx[n] = ty * l.az[n] - tz * l.ay[n];
+    l.on_by[n] = tz * l.ax[n] - tx * l.az[n];
+    l.on_bz[n] = tx * l.ay[n] - ty * l.ax[n];
   }
-  return force;
+}
+
+TOWFORM_VECTOR_CLONES
+void add_forces(const Patches& p, int nodes, const BendingLanes& __restrict l, Padded* __restrict force)
+{
+  for (int n = 0; n < nodes; ++n) {
+    const Vec4 normal{l.nx[n], l.ny[n], l.nz[n], 0.0};
+    const Vec4 warp = l.warp_moment[n] * normal, weft = l.weft_moment[n] * normal;
+    for (int t = p.first[n]; t < p.first[n + 1]; ++t)
+      force[p.point[t]].v -= p.terms[t].warp * warp + p.terms[t].weft * weft;
+    const auto [a0, a1, b0, b1] = p.ends[n];
+    const Vec4 on_a{l.on_ax[n], l.on_ay[n], l.on_az[n], 0.0}, on_b{l.on_bx[n], l.on_by[n], l.on_bz[n], 0.0};
+    force[a0].v += on_a;
+    force[a1].v -= on_a;
+    force[b0].v += on_b;
+    force[b1].v -= on_b;
+  }
+}
+
+/// Moments of the curvatures now; returns the energy lost in damping.
+double bend(const Bending& bending, int first, int nodes, double dt, YarnPair* curvature, BendingLanes& l)
+{
+  const double warp_viscosity = bending.warp.stiffness() * bending.damping_time / dt;
+  const double weft_viscosity = bending.weft.stiffness() * bending.damping_time / dt;
+  double lost = 0.0;
+  for (int n = 0; n < nodes; ++n) {
+    const double area = bending.area[first + n];
+    const YarnPair now{l.warp_now[n], l.weft_now[n]};
+    const YarnPair change{now.warp - curvature[n].warp, now.weft - curvature[n].weft};
+    l.warp_moment[n] = area * (bending.warp.moment(now.warp) + warp_viscosity * change.warp);
+    l.weft_moment[n] = area * (bending.weft.moment(now.weft) + weft_viscosity * change.weft);
+    lost += area * (warp_viscosity * change.warp * change.warp + weft_viscosity * change.weft * change.weft);
+    curvature[n] = now;
+  }
+  return lost;
+}
+
+void bend_block(const Bending& bending, int number, const State& s, double dt, BendingState& b)
+{
+  const Bending::Block& block = bending.blocks[number];
+  const CurvatureOperator& op = bending.curvature;
+  const std::span<const int> points = bending.slots.points(block.points);
+  static thread_local std::vector<Padded> position, force;
+  static thread_local BendingLanes lanes;
+  position.resize(points.size());
+  force.assign(points.size(), {});
+  const ImagedPositions x(s.position, b.image);
+  for (std::size_t i = 0; i < points.size(); ++i) position[i] = Padded(x[points[i]]);
+  const int first = block.first_node, nodes = block.nodes;
+  const Patches patches{op.first.data() + first, op.terms.data(), bending.term_point.data(),
+                        bending.ends.data() + first};
+  gather(patches, nodes, position.data(), lanes);
+  curve(nodes, lanes);
+  b.damping[number] += bend(bending, first, nodes, dt, b.curvature.data() + first, lanes);
+  turn(nodes, lanes);
+  add_forces(patches, nodes, lanes, force.data());
+  Vec3* sums = b.block_force.data() + block.points.first;
+  for (std::size_t i = 0; i < points.size(); ++i) sums[i] = force[i].vec3();
 }
 
 } // namespace
@@ -143,18 +233,14 @@ void bending_forces(const Bending& bending, BendingState& b, State& s, double dt
 {
   const std::vector<MirrorImage>& images = bending.curvature.images;
   for (std::size_t i = 0; i < images.size(); ++i) b.image[i] = images[i].position(s.position);
+  parallel_each(static_cast<int>(bending.blocks.size()),
+                [&](int number) { bend_block(bending, number, s, dt, b); });
   const auto nodes = static_cast<std::ptrdiff_t>(s.position.size());
-  const auto points = nodes + static_cast<std::ptrdiff_t>(images.size());
-  parallel_ranges(nodes, [&](auto begin, auto end) { nodal_moments(bending, b, s, dt, begin, end); });
-  parallel_ranges(points, [&](auto begin, auto end) {
-    for (auto p = begin; p < end; ++p) {
-      if (p < nodes)
-        s.force[p] += force_on(bending, b, p);
-      else
-        b.image_force[p - nodes] = force_on(bending, b, p);
-    }
+  parallel_ranges(nodes, [&](auto begin, auto end) {
+    for (auto n = begin; n < end; ++n) s.force[n] += bending.slots.sum(b.block_force, n);
   });
-  for (std::size_t i = 0; i < images.size(); ++i) images[i].hand_on(b.image_force[i], s.force);
+  for (std::size_t i = 0; i < images.size(); ++i)
+    images[i].hand_on(bending.slots.sum(b.block_force, nodes + static_cast<std::ptrdiff_t>(i)), s.force);
 }
 
 double bending_energy(const Bending& bending, const BendingState& b)

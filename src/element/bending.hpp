@@ -1,7 +1,10 @@
 #pragma once
+#include "element/block_slots.hpp"
 #include "element/curvature.hpp"
 #include "element/moment_law.hpp"
 #include "towform/state.hpp"
+#include <array>
+#include <cstdint>
 #include <vector>
 
 namespace towform {
@@ -27,28 +30,24 @@ struct Bending {
   /// for the zigzag of a regular mesh.
   [[nodiscard]] std::vector<double> frequency_bound(std::span<const double> mass) const;
 
-  /// Shares of each point in the nodes' forces, the transpose of the curvature's terms.
-  struct Share {
-    int node;
-    double warp, weft;
+  /// Nodes in blocks that one thread computes at a time.
+  struct Block {
+    int first_node = 0, nodes = 0;
+    BlockSlots::Range points; ///< of its terms and chords: nodes and images
   };
-  std::vector<int> first_share, first_end; ///< of each point, images included
-  std::vector<Share> shares;
-  std::vector<unsigned> ends; ///< chord ends: 4 node + 0, 1, 2, 3 for a0, a1, b0, b1
+  static constexpr int block_size = 128;
+  std::vector<Block> blocks;
+  BlockSlots slots;                               ///< of nodes and images
+  std::vector<std::uint16_t> term_point;          ///< of each term of the curvatures, within the block
+  std::vector<std::array<std::uint16_t, 4>> ends; ///< n, of the chords, a0, a1, b0, b1, within the block
 };
 
 /// What changes of it.
 struct BendingState {
-  /// A node's moments: the points round it are pushed by -(c_k^1 warp + c_k^2 weft) normal.
-  struct Moments {
-    Vec3 normal;
-    double warp, weft; ///< A_n M_i [N m^2]
-  };
   std::vector<YarnPair> curvature; ///< n, at x_n [1/m]
-  std::vector<double> damping;     ///< n, lost in bending since the start [J]
-  std::vector<Moments> moments;    ///< n
-  std::vector<Vec3> turning;       ///< 2n, forces on the chords' ends a0 and b0, as they turn the normal [N]
-  std::vector<Vec3> image, image_force;
+  std::vector<double> damping;     ///< per block, lost in bending since the start [J]
+  std::vector<Vec3> block_force;   ///< each block's own, of its points [N]
+  std::vector<Vec3> image;         ///< of the mirror images [m]
 };
 
 /// Sizes a state for a sheet at `position`.

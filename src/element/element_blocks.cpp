@@ -31,7 +31,6 @@ int strips_before(const YarnStrips& strips, int first, int end)
 } // namespace
 
 ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, const YarnStrips& strips)
-    : first_slot_of(nodes + 1, 0)
 {
   const int elements = static_cast<int>(triangles.size());
   entry.resize(strips.entry.size());
@@ -54,15 +53,9 @@ ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t no
     const std::span<const int> mine = std::span<const int>(element).subspan(static_cast<std::size_t>(b.first_place));
     std::vector<int> its_nodes;
     for (const int e : mine) its_nodes.insert(its_nodes.end(), triangles[e].begin(), triangles[e].end());
-    std::sort(its_nodes.begin(), its_nodes.end());
-    its_nodes.erase(std::unique(its_nodes.begin(), its_nodes.end()), its_nodes.end());
-    b.first_slot = static_cast<int>(node.size());
-    b.nodes = static_cast<int>(its_nodes.size());
+    b.nodes = slots.add(std::move(its_nodes));
     for (const int e : mine)
-      for (const int n : triangles[e])
-        corner.push_back(static_cast<std::uint16_t>(
-            std::lower_bound(its_nodes.begin(), its_nodes.end(), n) - its_nodes.begin()));
-    node.insert(node.end(), its_nodes.begin(), its_nodes.end());
+      for (const int n : triangles[e]) corner.push_back(slots.local(b.nodes, n));
 
     for (int i = b.first_strip; i < b.first_strip + b.strips; ++i)
       for (int k = strips.first[i]; k < strips.first[i + 1]; ++k) {
@@ -77,11 +70,7 @@ ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t no
     b.first_element += b.own;
     b.first_strip += b.strips;
   }
-  for (const int n : node) ++first_slot_of[static_cast<std::size_t>(n) + 1];
-  for (std::size_t n = 0; n < nodes; ++n) first_slot_of[n + 1] += first_slot_of[n];
-  std::vector<int> next(first_slot_of.begin(), first_slot_of.end() - 1);
-  slot_of.resize(node.size());
-  for (std::size_t i = 0; i < node.size(); ++i) slot_of[next[node[i]]++] = static_cast<int>(i);
+  slots.finish(nodes);
 }
 
 } // namespace towform

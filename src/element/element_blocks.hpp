@@ -1,7 +1,7 @@
 #pragma once
+#include "element/block_slots.hpp"
 #include "element/yarn_strips.hpp"
 #include "towform/surface_mesh.hpp"
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,12 +10,11 @@ namespace towform {
 
 /// The elements of a blank in blocks that one thread computes at a time, from a cache's worth of data: a run of
 /// consecutive elements ("own"), the strips of yarn that begin among them, and, where such a strip goes on
-/// beyond the run, its elements there ("guests", whose yarns alone are of interest). What a block adds to the
-/// forces on its nodes is summed by itself; a node's force is the sum over the blocks that it is a corner in,
-/// in their order. Blocks depend on the mesh alone, and so do all sums, whatever the number of threads.
+/// beyond the run, its elements there ("guests", whose yarns alone are of interest). Forces are
+/// summed by block (BlockSlots).
 struct ElementBlocks {
-  static constexpr int own_most = 256; ///< elements of a block
-  static constexpr int capacity = 512; ///< places of a block, for own elements and guests
+  static constexpr int own_most = 512; ///< elements of a block
+  static constexpr int capacity = 1024; ///< places of a block, for own elements and guests
 
   /// Numbers of what belongs to a block in the arrays below.
   struct Block {
@@ -23,7 +22,7 @@ struct ElementBlocks {
     int places = 0;                 ///< own elements, then guests in ascending order
     int first_place = 0;            ///< in `element`; in `corner` and `coefficient` times 3 and 5
     int first_strip = 0, strips = 0;
-    int first_slot = 0, nodes = 0; ///< in `node`, and of its partial forces
+    BlockSlots::Range nodes;
   };
   /// An entry of a strip by its place in the block: place + capacity * family (0 warp, 1 weft).
   using Entry = std::uint16_t;
@@ -32,9 +31,7 @@ struct ElementBlocks {
   std::vector<int> element;          ///< of each place
   std::vector<std::uint16_t> corner; ///< of each place three, counted within the block's nodes
   std::vector<Entry> entry;          ///< of all strips, in the order of YarnStrips::entry
-  std::vector<int> node;             ///< of each slot, ascending in each block
-  std::vector<int> first_slot_of;    ///< n + 1, of each node in `slot_of`
-  std::vector<int> slot_of;          ///< slots of each node, ascending
+  BlockSlots slots;                  ///< of nodes, for forces
 
   ElementBlocks() = default;
   /// Strips must be in the order of their first entries. Throws std::length_error when a single element's strips
@@ -42,7 +39,6 @@ struct ElementBlocks {
   ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, const YarnStrips& strips);
 
   [[nodiscard]] int count() const { return static_cast<int>(blocks.size()); }
-  [[nodiscard]] std::size_t slots() const { return node.size(); }
 };
 
 } // namespace towform

@@ -84,7 +84,7 @@ void start(const Membrane& membrane, State& s)
   s.strip_strain.assign(membrane.strips.size(), 0.0);
   s.sine.assign(m, membrane.reference_sine);
   s.shear.assign(m, {});
-  s.block_force.assign(membrane.blocks.slots(), {});
+  s.block_force.assign(membrane.blocks.slots.count(), {});
   s.shear_work.assign(blocks, 0.0);
   s.shear_dissipated.assign(blocks, 0.0);
   s.yarn_damping.assign(blocks, 0.0);
@@ -97,7 +97,7 @@ struct Workplace {
   BlockLanes lanes;
   StripLanes strips;
   MembraneBatch batch;
-  std::array<Vec4, 3 * ElementBlocks::capacity> position, force;
+  std::array<Padded, 3 * ElementBlocks::capacity> position, force;
 };
 
 /// Sum in an order that vectors share: eight sums side by side, then these.
@@ -145,11 +145,10 @@ public:
 
   void go()
   {
-    const int* node = membrane_.blocks.node.data() + block_.first_slot;
-    for (int i = 0; i < block_.nodes; ++i) {
-      const Vec3& x = s_.position[node[i]];
-      w_.position[i] = Vec4{x.x, x.y, x.z, 0.0};
-      w_.force[i] = Vec4{};
+    const std::span<const int> nodes = membrane_.blocks.slots.points(block_.nodes);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      w_.position[i] = Padded(s_.position[nodes[i]]);
+      w_.force[i] = {};
     }
     in_batches(0, block_.places, [&](int first, int count) {
       gather_edges(w_.position.data(), corner_ + 3 * first, count, w_.batch);
@@ -170,8 +169,8 @@ public:
     });
     s_.shear_work[number_] += work;
     s_.shear_dissipated[number_] += dissipated;
-    Vec3* force = s_.block_force.data() + block_.first_slot;
-    for (int i = 0; i < block_.nodes; ++i) force[i] = {w_.force[i][0], w_.force[i][1], w_.force[i][2]};
+    Vec3* force = s_.block_force.data() + block_.nodes.first;
+    for (int i = 0; i < block_.nodes.count; ++i) force[i] = w_.force[i].vec3();
   }
 
 private:
@@ -247,12 +246,7 @@ void membrane_forces(const Membrane& membrane, State& s, double dt)
 void assemble(const ElementBlocks& blocks, std::span<const Vec3> block_force, std::span<Vec3> force)
 {
   parallel_ranges(static_cast<std::ptrdiff_t>(force.size()), [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) {
-      Vec3 sum;
-      for (int i = blocks.first_slot_of[n]; i < blocks.first_slot_of[n + 1]; ++i)
-        sum += block_force[blocks.slot_of[i]];
-      force[n] = sum;
-    }
+    for (auto n = begin; n < end; ++n) force[n] = blocks.slots.sum(block_force, n);
   });
 }
 

@@ -256,10 +256,10 @@ void strip_tensions(const YarnLaw& law, double viscosity, double spring, const d
 }
 
 TOWFORM_VECTOR_CLONES
-void gather_edges(const Vec4* position, const std::uint16_t* corner, int count, MembraneBatch& __restrict b)
+void gather_edges(const Padded* position, const std::uint16_t* corner, int count, MembraneBatch& __restrict b)
 {
   for (int i = 0; i < count; ++i, corner += 3) {
-    const Vec4 x0 = position[corner[0]], d1 = position[corner[1]] - x0, d2 = position[corner[2]] - x0;
+    const Vec4 x0 = position[corner[0]].v, d1 = position[corner[1]].v - x0, d2 = position[corner[2]].v - x0;
     b.d1x[i] = d1[0];
     b.d1y[i] = d1[1];
     b.d1z[i] = d1[2];
@@ -270,13 +270,13 @@ void gather_edges(const Vec4* position, const std::uint16_t* corner, int count, 
 }
 
 TOWFORM_VECTOR_CLONES
-void add_forces(const MembraneBatch& __restrict b, const std::uint16_t* corner, int count, Vec4* __restrict force)
+void add_forces(const MembraneBatch& __restrict b, const std::uint16_t* corner, int count, Padded* __restrict force)
 {
   for (int i = 0; i < count; ++i, corner += 3) {
     const Vec4 force_1{b.p1x[i], b.p1y[i], b.p1z[i], 0.0}, force_2{b.p2x[i], b.p2y[i], b.p2z[i], 0.0};
-    force[corner[0]] -= force_1 + force_2;
-    force[corner[1]] += force_1;
-    force[corner[2]] += force_2;
+    force[corner[0]].v -= force_1 + force_2;
+    force[corner[1]].v += force_1;
+    force[corner[2]].v += force_2;
   }
 }
 

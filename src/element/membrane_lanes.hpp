@@ -1,5 +1,6 @@
 #pragma once
 #include "element/element_blocks.hpp"
+#include "element/vec4.hpp"
 #include "element/yarn.hpp"
 #include "material/fabric_law.hpp"
 
@@ -71,13 +72,10 @@ void weigh_strains(const double* area, double spring, int count, BlockLanes& lan
 void strip_tensions(const YarnLaw& yarn, double viscosity, double spring, const double* area, double* strain, int count,
                     StripLanes& s);
 
-/// Four numbers at once; the last is padding.
-using Vec4 = double __attribute__((vector_size(32)));
-
 /// Edges of elements from the nodes' positions; `corner` three an element.
-void gather_edges(const Vec4* position, const std::uint16_t* corner, int count, MembraneBatch& b);
+void gather_edges(const Padded* position, const std::uint16_t* corner, int count, MembraneBatch& b);
 
 /// Adds the corner forces of elements to those of the nodes.
-void add_forces(const MembraneBatch& b, const std::uint16_t* corner, int count, Vec4* force);
+void add_forces(const MembraneBatch& b, const std::uint16_t* corner, int count, Padded* force);
 
 } // namespace towform

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <vector>
 
 namespace towform {
 
@@ -35,21 +36,52 @@ void parallel_ranges(std::ptrdiff_t count, const Body& body)
       &context);
 }
 
-/// body(index) for 0 .. count-1, each thread taking the next that is left: for work of uneven size.
+namespace parallel {
+/// Numbers 0 .. count-1 dealt out to parts: each has a range of its own, the same in every loop, so that its data
+/// stay in its cache, and helps others once that is done.
+class Shares {
+public:
+  Shares(int count, int parts) : count_(count), next_(static_cast<std::size_t>(parts)) {}
+
+  /// The next number for a part, or -1.
+  int take(int part)
+  {
+    const int parts = static_cast<int>(next_.size());
+    for (int i = 0; i < parts; ++i) {
+      const int from = (part + i) % parts;
+      const int first = begin(from), end = begin(from + 1);
+      std::atomic<int>& next = next_[static_cast<std::size_t>(from)].taken;
+      if (first + next.load(std::memory_order_relaxed) >= end) continue;
+      if (const int number = first + next.fetch_add(1, std::memory_order_relaxed); number < end) return number;
+    }
+    return -1;
+  }
+
+private:
+  struct alignas(64) Counter {
+    std::atomic<int> taken{0};
+  };
+  [[nodiscard]] int begin(int part) const
+  {
+    return static_cast<int>(static_cast<std::ptrdiff_t>(count_) * part / static_cast<std::ptrdiff_t>(next_.size()));
+  }
+  int count_;
+  std::vector<Counter> next_;
+};
+} // namespace parallel
+
+/// body(index) for 0 .. count-1, shared out as they are done: for work of uneven size.
 template <class Body>
 void parallel_each(int count, const Body& body)
 {
   struct Context {
-    int count;
     const Body& body;
-    std::atomic<int> next;
-  } context{count, body, 0};
+    parallel::Shares shares;
+  } context{body, {count, threads()}};
   parallel::on_all_threads(
-      [](void* shared, int) {
+      [](void* shared, int part) {
         auto& c = *static_cast<Context*>(shared);
-        for (int i = c.next.fetch_add(1, std::memory_order_relaxed); i < c.count;
-             i = c.next.fetch_add(1, std::memory_order_relaxed))
-          c.body(i);
+        for (int i = c.shares.take(part); i >= 0; i = c.shares.take(part)) c.body(i);
       },
       &context);
 }

@@ -44,10 +44,10 @@ void visit(FieldVisitor& v, State& s)
 
 void visit(FieldVisitor& v, BendingState& s)
 {
-  auto& [curvature, damping, moments, turning, image, image_force] = s;
+  auto& [curvature, damping, block_force, image] = s;
   v("curvature", curvature);
   v("damping", damping);
-  for (const char* name : {"moments", "turning", "image", "image_force"}) v.rebuilt(name);
+  for (const char* name : {"block_force", "image"}) v.rebuilt(name);
 }
 
 void visit(FieldVisitor& v, PressureState& s)
