@@ -15,7 +15,6 @@ namespace {
 constexpr double element_limit = 20e6;
 constexpr double aspect_limit = 1e4;     // beyond it the points of the short side merge when rounded
 constexpr double angle_tolerance = 1e-9; // rad
-constexpr double right_angle = 0.5 * std::numbers::pi;
 
 template <class... Values>
 void require(bool fine, fmt::format_string<Values...> message, Values&&... values)
