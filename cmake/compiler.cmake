@@ -1,8 +1,10 @@
 # Options of our own targets; nothing here reaches a user of the installed library.
 add_library(towform_options INTERFACE)
 target_compile_options(towform_options INTERFACE
-  -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -Wall -Wextra -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
   $<$<BOOL:${TOWFORM_WARNINGS_AS_ERRORS}>:-Werror>
+  # One source may shadow what another names; builds of single sources warn.
+  $<$<NOT:$<BOOL:${TOWFORM_UNITY}>>:-Wshadow>
   # The same bits from every compiler and for every number of threads.
   -ffp-contract=off
   $<$<CONFIG:Debug>:-D_GLIBCXX_ASSERTIONS>)
