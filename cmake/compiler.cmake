@@ -7,7 +7,8 @@ target_compile_options(towform_options INTERFACE
   $<$<NOT:$<BOOL:${TOWFORM_UNITY}>>:-Wshadow>
   # The same bits from every compiler and for every number of threads.
   -ffp-contract=off
-  $<$<CONFIG:Debug>:-D_GLIBCXX_ASSERTIONS>)
+  $<$<CONFIG:Debug>:-D_GLIBCXX_ASSERTIONS>
+  $<$<BOOL:${TOWFORM_FLOAT_TRAPS}>:-DTOWFORM_FLOAT_TRAPS=1>)
 if(TOWFORM_SANITIZE)
   add_compile_options(-fsanitize=${TOWFORM_SANITIZE} -fno-omit-frame-pointer)
   # g++ 12 sees uninitialized values in the standard library's own headers once they are instrumented.
@@ -26,3 +27,14 @@ endif()
 set(TOWFORM_FLAGS "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS}")
 configure_file(cmake/version.hpp.in ${PROJECT_BINARY_DIR}/generated/version.hpp)
 target_include_directories(towform_options INTERFACE $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated>)
+
+# towform_keep_traps(TARGET): sources that may compute both sides of a choice, to vectorise, compute the one they need.
+function(towform_keep_traps target)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_source_file_property(own_options ${source} COMPILE_OPTIONS)
+    if(own_options)
+      set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -ftrapping-math)
+    endif()
+  endforeach()
+endfunction()

@@ -113,7 +113,7 @@ private:
     const bool by_angle = has("angle_deg");
     const double angle =
         by_angle ? row["angle_deg"] * degree : test_.angle(row["displacement_mm"] * millimetre);
-    if (!(angle >= 0.0) || angle > 85.0 * degree) // not a number when it is out of reach
+    if (!std::isgreaterequal(angle, 0.0) || angle > 85.0 * degree) // not a number when it is out of reach
       return issue(fmt::format("{} {} is outside a shear angle of 0 .. 85 deg",
                                by_angle ? "angle_deg" : "displacement_mm",
                                row[by_angle ? "angle_deg" : "displacement_mm"]));

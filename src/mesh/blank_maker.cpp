@@ -1,3 +1,4 @@
+#include "case/float_traps.hpp"
 #include "mesh/blank_grid.hpp"
 #include "mesh/blank_lattice.hpp"
 #include "mesh/imported_blank.hpp"
@@ -56,6 +57,7 @@ void validate_size(const BlankParameters& b)
 
 void validate(const BlankParameters& b)
 {
+  const UntrappedFloats judging;
   if (b.mesh.empty()) validate_size(b);
   require(std::isfinite(b.fibre_angle) && std::isfinite(b.mesh_angle),
           "the fibre angle and the mesh angle of the blank must be finite");
