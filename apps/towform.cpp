@@ -1,3 +1,4 @@
+#include "case/float_traps.hpp"
 #include "compare_command.hpp"
 #include "material_command.hpp"
 #include "mesh_command.hpp"
@@ -26,6 +27,7 @@ void add_info(CLI::App& app)
 
 int main(int argc, char** argv)
 {
+  trap_floats();
   CLI::App app(
       "towform forms a woven composite sheet: shear, draw-in, wrinkling and force, from a case file");
   app.set_version_flag("--version", fmt::format("towform {} ({})", version::number, version::git_hash));

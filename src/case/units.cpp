@@ -1,5 +1,6 @@
 #include "units.hpp"
 #include "document.hpp"
+#include "float_traps.hpp"
 #include "suggestion.hpp"
 #include <algorithm>
 #include <array>
@@ -234,6 +235,7 @@ Quantity read_quantity(const std::string& text, Dimension dimension)
     return {0, fmt::format("has no unit; it is {}: {}", article(what), fitting)};
   }
   if (const Unit* unit = find_unit(parts.unit, dimension)) {
+    const UntrappedFloats judging;
     const double value = parts.value * unit->multiply / unit->divide + unit->offset;
     if (!std::isfinite(value)) return {0, "is beyond the numbers a computer holds"};
     return {value, ""};

@@ -1,6 +1,7 @@
 #include "material/curve_file.hpp"
 #include "case/text_file.hpp"
 #include "case/units.hpp"
+#include "material/degree.hpp"
 #include "towform/error.hpp"
 #include <charconv>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace towform {
 
 namespace {
 
-constexpr double degree = M_PI / 180.0;
 constexpr int coefficients = ShearCurve::order + 1;
 
 /// A number of a curve's line; nothing when `word` is not one.

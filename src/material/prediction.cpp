@@ -1,4 +1,5 @@
 #include "material/prediction.hpp"
+#include "material/degree.hpp"
 #include "material/fabric_law.hpp"
 #include "material/shear_resistance.hpp"
 #include "towform/error.hpp"
@@ -9,7 +10,7 @@ namespace towform {
 
 namespace {
 
-constexpr double degree = M_PI / 180.0, celsius = 273.15;
+constexpr double celsius = 273.15;
 
 /// What is out of range becomes an issue of the case.
 template <class F>

@@ -1,4 +1,5 @@
 #include "material/shear_resistance.hpp"
+#include "case/float_traps.hpp"
 #include "material/minimum.hpp"
 #include "material/require.hpp"
 #include <array>
@@ -23,6 +24,7 @@ constexpr std::array<double, points> gauss_w{0.033335672154344069, 0.07472567457
 ShearResistance::ShearResistance(const Constituents& c, double thickness, double temperature)
     : sheet_(c), thickness_(thickness), matrix_(c.matrix, temperature)
 {
+  const UntrappedFloats judging;
   require(thickness > 0.0, "thickness", "be positive", thickness, "m");
   require(c.fibre_volume_fraction > 0.0, "fibre_volume_fraction", "be positive", c.fibre_volume_fraction);
   require(c.tow_width > 0.0, "tow_width", "be positive", c.tow_width, "m");
@@ -96,9 +98,12 @@ ShearResistance::Parts ShearResistance::power(double theta, double rate, double 
 ShearResistance::Parts ShearResistance::parts(double theta, double rate) const
 {
   constexpr double rounding = 1e-12, degree = max_angle / 85.0;
-  require(theta >= 0.0 && theta <= max_angle + rounding, "a shear angle", "be within 0 and 85",
-          theta / degree, "deg");
-  require(rate > 0.0, "an angular rate", "be positive", rate, "rad/s");
+  {
+    const UntrappedFloats judging;
+    require(theta >= 0.0 && theta <= max_angle + rounding, "a shear angle", "be within 0 and 85",
+            theta / degree, "deg");
+    require(rate > 0.0, "an angular rate", "be positive", rate, "rad/s");
+  }
   const Parts p = power(theta, rate, tow_rate(theta, rate));
   const double to_force = 1.0 / (rate * std::cos(theta));
   return {p.tow * to_force, p.inter_tow * to_force, p.crossover * to_force};

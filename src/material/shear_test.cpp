@@ -1,4 +1,5 @@
 #include "material/shear_test.hpp"
+#include "case/float_traps.hpp"
 #include "material/rate_line.hpp"
 #include <Eigen/QR>
 #include <algorithm>
@@ -95,6 +96,7 @@ double mean_rate(const ShearTest& test, const TestRun& run, double max_angle)
 
 double ShearTest::angle(double displacement) const
 {
+  const UntrappedFloats not_a_number_when_out_of_reach;
   return M_PI_2 - 2.0 * std::acos(M_SQRT1_2 + displacement / reach(*this));
 }
 

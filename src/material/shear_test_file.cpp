@@ -1,5 +1,6 @@
 #include "case/suggestion.hpp"
 #include "case/text_file.hpp"
+#include "material/degree.hpp"
 #include "material/shear_test.hpp"
 #include "towform/error.hpp"
 #include <charconv>
@@ -12,7 +13,7 @@ namespace towform {
 
 namespace {
 
-constexpr double degree = M_PI / 180.0, millimetre = 1e-3;
+constexpr double millimetre = 1e-3;
 
 const std::vector<std::string>& known_columns()
 {
@@ -34,10 +35,10 @@ std::vector<std::string> cells_of(const std::string& line)
   return cells;
 }
 
-class Reader {
+class TestReader {
 public:
-  Reader(const std::filesystem::path& path, const ShearTest& test, std::optional<double> speed,
-         std::optional<double> rate)
+  TestReader(const std::filesystem::path& path, const ShearTest& test, std::optional<double> speed,
+             std::optional<double> rate)
       : path_(path), test_(test), speed_(speed), rate_(rate)
   {
   }
@@ -112,7 +113,7 @@ private:
     const bool by_angle = has("angle_deg");
     const double angle =
         by_angle ? row["angle_deg"] * degree : test_.angle(row["displacement_mm"] * millimetre);
-    if (!(angle >= 0.0) || angle > 85.0 * degree) // not a number when it is out of reach
+    if (!std::isgreaterequal(angle, 0.0) || angle > 85.0 * degree) // not a number when it is out of reach
       return issue(fmt::format("{} {} is outside a shear angle of 0 .. 85 deg",
                                by_angle ? "angle_deg" : "displacement_mm",
                                row[by_angle ? "angle_deg" : "displacement_mm"]));
@@ -146,7 +147,7 @@ private:
 std::vector<TestRun> read_test(const std::filesystem::path& path, const ShearTest& test,
                                std::optional<double> speed, std::optional<double> rate)
 {
-  return Reader(path, test, speed, rate).read();
+  return TestReader(path, test, speed, rate).read();
 }
 
 } // namespace towform

@@ -1,4 +1,5 @@
 #include "material/viscosity.hpp"
+#include "case/float_traps.hpp"
 #include "material/require.hpp"
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,7 @@ void check_points(const std::vector<ViscosityPoint>& points)
 
 double temperature_shift(const MatrixViscosity& m, double temperature)
 {
+  const UntrappedFloats judging;
   require(temperature > 0.0, "temperature", "be above absolute zero", temperature, "K");
   require(m.reference_temperature > 0.0, "matrix.reference_temperature", "be above absolute zero",
           m.reference_temperature, "K");
@@ -46,6 +48,7 @@ double temperature_shift(const MatrixViscosity& m, double temperature)
 IsothermalMatrix::IsothermalMatrix(const MatrixViscosity& m, double temperature)
     : model_(m.model), exponent_(m.exponent), transition_(m.transition)
 {
+  const UntrappedFloats judging;
   const double shift = temperature_shift(m, temperature);
   require(std::isfinite(shift) && shift > 0.0, "the viscosity's shift at this temperature",
           "be a positive number", shift);

@@ -1,3 +1,4 @@
+#include "case/float_traps.hpp"
 #include "mesh/blank_grid.hpp"
 #include "mesh/blank_lattice.hpp"
 #include "mesh/imported_blank.hpp"
@@ -15,7 +16,6 @@ namespace {
 constexpr double element_limit = 20e6;
 constexpr double aspect_limit = 1e4;     // beyond it the points of the short side merge when rounded
 constexpr double angle_tolerance = 1e-9; // rad
-constexpr double right_angle = 0.5 * std::numbers::pi;
 
 template <class... Values>
 void require(bool fine, fmt::format_string<Values...> message, Values&&... values)
@@ -57,6 +57,7 @@ void validate_size(const BlankParameters& b)
 
 void validate(const BlankParameters& b)
 {
+  const UntrappedFloats judging;
   if (b.mesh.empty()) validate_size(b);
   require(std::isfinite(b.fibre_angle) && std::isfinite(b.mesh_angle),
           "the fibre angle and the mesh angle of the blank must be finite");

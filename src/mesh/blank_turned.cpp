@@ -1,6 +1,7 @@
 #include "mesh/blank_grid.hpp"
 #include "mesh/blank_lattice.hpp"
 #include "mesh/delaunay.hpp"
+#include "mesh/yarn_directions.hpp"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -25,7 +26,6 @@ Lattice lattice_of(const TurnedGrid& g)
 
 bool is_diagonal(double angle)
 {
-  const double right_angle = 0.5 * std::numbers::pi;
   return std::abs(std::remainder(angle - 0.5 * right_angle, right_angle)) < 1e-9;
 }
 

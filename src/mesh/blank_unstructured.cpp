@@ -7,10 +7,10 @@ namespace towform {
 namespace {
 
 // Found by trial: with these the smallest angle stays above 25 degrees, and edges point everywhere.
-constexpr double clearance = 0.65; // from the sides, in edges
-constexpr double jitter = 0.35;    // either way along x and y, in edges
-constexpr int rounds = 6;          // of smoothing and new triangulation
-constexpr int sweeps = 2;          // of smoothing in a round
+constexpr double side_clearance = 0.65; // in edges
+constexpr double jitter = 0.35;         // either way along x and y, in edges
+constexpr int rounds = 6;               // of smoothing and new triangulation
+constexpr int sweeps = 2;               // of smoothing in a round
 
 constexpr double odd_angle = 0.35; // rad; any that keeps rows of points off the yarns' usual directions
 
@@ -68,7 +68,7 @@ SurfaceMesh unstructured_mesh(const Rectangle& rectangle, double edge)
   std::vector<Vec2> points = divided_sides(rectangle, {edge});
   const int sides = static_cast<int>(points.size());
   const Lattice lattice = lattice_of(edge);
-  const Rectangle inside = shrunk(rectangle, clearance * edge);
+  const Rectangle inside = shrunk(rectangle, side_clearance * edge);
   const Rectangle limits = shrunk(rectangle, 0.4 * edge); // while smoothing
   Random random;
   for (const LatticeRow& row : lattice_rows(lattice, inside)) {
@@ -89,7 +89,7 @@ SurfaceMesh unstructured_mesh(const Rectangle& rectangle, double edge)
 
 std::int64_t count_unstructured_mesh(const Rectangle& rectangle, double edge)
 {
-  return count_triangles(lattice_of(edge), rectangle, {edge, clearance * edge});
+  return count_triangles(lattice_of(edge), rectangle, {edge, side_clearance * edge});
 }
 
 } // namespace towform

@@ -13,7 +13,7 @@ namespace {
 // A node takes two lines, "1" and "0 0 0"; the shortest element, a point, is "1 1"; each with its end of
 // line.
 constexpr std::size_t least_bytes_of_node = 8, least_bytes_of_element = 4;
-constexpr std::size_t element_limit = 20'000'000; // as of generated blanks
+constexpr std::size_t file_element_limit = 20'000'000; // as of generated blanks
 
 /// What the user knows a type of element as; types as in Gmsh's manual.
 std::string type_name(std::int64_t type)
@@ -101,7 +101,7 @@ private:
           "claims {} {} in {} blocks, for which the {} bytes that follow are too few: the file is "
           "truncated or its counts are wrong",
           n[1], things, n[0], lines_.bytes_left()));
-    if (static_cast<std::uint64_t>(n[1]) > 3 * element_limit)
+    if (static_cast<std::uint64_t>(n[1]) > 3 * file_element_limit)
       lines_.fail(fmt::format("{} {} are more than towform can take; coarsen the mesh", n[1], things));
     return {n[0], n[1]};
   }
@@ -172,8 +172,8 @@ private:
       lines_.fail(fmt::format("an element of {} nodes has {} numbers behind its tag", corners, n.size() - 1));
     Element e{{n[1], n[2], n[3], corners == 4 ? n[4] : 0}, n[0], corners, lines_.number()};
     elements_.push_back(e);
-    if (elements_.size() > element_limit)
-      lines_.fail(fmt::format("more than {} elements; coarsen the mesh", element_limit));
+    if (elements_.size() > file_element_limit)
+      lines_.fail(fmt::format("more than {} elements; coarsen the mesh", file_element_limit));
   }
 
   /// Corners of the elements of a block; 0 when they are none of the blank.

@@ -18,9 +18,9 @@ bool is_word(std::string_view token, std::string_view word)
   return true;
 }
 
-class Parser {
+class StlParser {
 public:
-  Parser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+  StlParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}
 
   SurfaceMesh parse()
   {
@@ -121,7 +121,7 @@ private:
 
 SurfaceMesh parse_stl_text(std::string_view text, const std::string& name)
 {
-  return Parser(text, name).parse();
+  return StlParser(text, name).parse();
 }
 
 } // namespace towform

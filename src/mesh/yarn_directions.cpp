@@ -7,7 +7,6 @@ namespace towform {
 namespace {
 
 constexpr double tolerance = 1e-9; // of directions, and rad
-constexpr double right_angle = 0.5 * std::numbers::pi;
 
 /// Cosine and sine, exact at multiples of 90 degrees.
 Vec3 direction(double angle)

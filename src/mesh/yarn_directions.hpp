@@ -1,7 +1,10 @@
 #pragma once
 #include "towform/blank.hpp"
+#include <numbers>
 
 namespace towform {
+
+inline constexpr double right_angle = 0.5 * std::numbers::pi;
 
 /// Unit reference yarn directions of a blank, in its plane.
 struct YarnDirections {

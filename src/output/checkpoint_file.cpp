@@ -14,7 +14,6 @@ namespace {
 
 constexpr int schema = 1;
 constexpr hsize_t block_size = 512; ///< the smallest user block of HDF5
-constexpr std::size_t header_bytes = 65536;
 
 /// The user block: text, so that `head -4 checkpoint.h5` shows it.
 std::string block_text(std::uintmax_t bytes, std::uint32_t crc)

@@ -1,4 +1,5 @@
 #include "output/hdf5.hpp"
+#include "case/float_traps.hpp"
 #include "towform/error.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -203,6 +204,7 @@ std::vector<std::string> link_names(hid_t group)
 Dataset write_dataset(hid_t parent, const std::string& name, const Shape& shape, hid_t memory, hid_t stored,
                       const void* data)
 {
+  const UntrappedFloats converting; // doubles to floats, by HDF5
   const std::string what = fmt::format("cannot write dataset {}", name);
   const Space space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr));
   const Properties creation = timeless(H5P_DATASET_CREATE);

@@ -20,11 +20,6 @@ namespace {
 
 constexpr int schema_version = 1;
 
-// Room is reserved before HDF5 writes: a disk that fills up while it flushes leaves a file that nobody can
-// open, and a library that crashes when the program ends. This much is for headers, attributes and grown
-// indices; a frame needs about 12 kB of them.
-constexpr std::size_t header_bytes = 65536;
-
 fs::path results_path(const fs::path& directory) { return directory / "results.h5"; }
 
 hid_t file_type(Field::Number number)

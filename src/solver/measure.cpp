@@ -6,8 +6,6 @@
 namespace towform {
 
 namespace {
-constexpr double to_degrees = 180.0 / M_PI;
-
 double velocity_scale(const FabricMaterial& material)
 {
   const auto* incremental = std::get_if<IncrementalLaw>(&material.law);
@@ -58,6 +56,7 @@ double sharpest(const std::vector<YarnPair>& of_node, const Triangle& t, double 
     if (std::abs(of_node[n].*family) > std::abs(most)) most = of_node[n].*family;
   return most;
 }
+} // namespace
 
 double percentile_99(std::vector<double> values)
 {
@@ -65,7 +64,6 @@ double percentile_99(std::vector<double> values)
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
   return values[rank];
 }
-} // namespace
 
 Frame make_frame(const Model& model, const System& s, const CurvatureOperator& curvature)
 {

@@ -3,8 +3,14 @@
 #include "solver/energy.hpp"
 #include "solver/model.hpp"
 #include "towform/results.hpp"
+#include <numbers>
 
 namespace towform {
+
+inline constexpr double to_degrees = 180.0 / std::numbers::pi;
+
+/// The value below which 99 % lie.
+double percentile_99(std::vector<double> values);
 
 /// The state of the sheet at t_n as a frame of the results. An element's curvature along a yarn family is
 /// that of its corners which is largest in size, so that folds as short as an element are seen.

@@ -1,4 +1,5 @@
 #include "solver/statics_recorder.hpp"
+#include "solver/measure.hpp"
 #include "solver/run_files.hpp"
 #include "towform/error.hpp"
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace towform {
 
 namespace {
 
-constexpr double to_degrees = 180.0 / M_PI;
 constexpr std::size_t per_element = QuadrilateralMembrane::points_per_element;
 
 std::size_t central_element(const QuadrilateralGrid& g)
@@ -63,14 +63,6 @@ struct ElementMean {
 };
 
 Vec3 vec3(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
-
-/// The value below which 99 % lie.
-double percentile_99(std::vector<double> values)
-{
-  const std::size_t rank = (values.size() * 99) / 100;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
-  return values[rank];
-}
 
 } // namespace
 
