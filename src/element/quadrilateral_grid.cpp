@@ -28,7 +28,7 @@ SurfaceMesh QuadrilateralGrid::triangles() const
 
 QuadrilateralGrid make_quadrilateral_grid(const BlankParameters& p)
 {
-  constexpr double right_angle = 0.5 * std::numbers::pi, most = 1e6;
+  constexpr double most = 1e6;
   require(p.mesh.empty(), "the implicit solver meshes a rectangle itself: it takes no blank.mesh");
   require(std::abs(std::remainder(warp_angle(p) + p.mesh_angle, right_angle)) < 1e-9,
           "quadrilaterals lie along the sides of the blank: fibre_angle + mesh_angle must be a multiple of "
