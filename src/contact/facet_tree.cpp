@@ -1,4 +1,5 @@
 #include "contact/facet_tree.hpp"
+#include "mesh/box.hpp"
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <algorithm>
 
@@ -9,10 +10,6 @@ static_assert(EIGEN_MAX_ALIGN_BYTES == 16, "FCL's package is built with 16-byte 
 namespace {
 
 constexpr int stack_size = 128; // a walk never holds more entries than the tree has levels, plus one
-
-struct Box {
-  Vec3 low, high;
-};
 
 /// How far x lies outside low .. high.
 inline double outside(double x, double low, double high) { return std::max(std::max(low - x, x - high), 0.0); }
@@ -133,12 +130,9 @@ int FacetTree::nearest(const Vec3& p, double bound) const
 
 std::vector<int> FacetTree::in_box_round(const Facet& facet, double distance) const
 {
-  const auto& [a, b, c] = facet.corner;
-  const auto grown = [distance](double x, double y, double z) {
-    return std::pair(std::min({x, y, z}) - distance, std::max({x, y, z}) + distance);
-  };
-  const auto x = grown(a.x, b.x, c.x), y = grown(a.y, b.y, c.y), z = grown(a.z, b.z, c.z);
-  const Box box{{x.first, y.first, z.first}, {x.second, y.second, z.second}};
+  Box box = box_of(facet.corner);
+  box.low -= {distance, distance, distance};
+  box.high += {distance, distance, distance};
   std::vector<int> found;
   std::vector<int> open{0};
   while (!open.empty()) {

@@ -1,0 +1,97 @@
+"""Writes docs/benchmarks.md and the tables beside it."""
+
+import csv
+
+from bench.pareto import front
+from bench.timing import STEPPING, machine
+from verification.runs import ROOT
+
+DIRECTORY = ROOT / "docs/benchmarks"
+PAGE = ROOT / "docs/benchmarks.md"
+
+
+def write_table(name, rows):
+    DIRECTORY.mkdir(exist_ok=True)
+    with open(DIRECTORY / f"{name}.csv", "w", newline="") as file:
+        writer = csv.DictWriter(file, fieldnames=list(rows[0]))
+        writer.writeheader()
+        writer.writerows({key: f"{v:.4g}" if isinstance(v, float) else v for key, v in row.items()} for row in rows)
+
+
+def read_table(name):
+    path = DIRECTORY / f"{name}.csv"
+    if not path.exists():
+        return []
+    with open(path, newline="") as file:
+        return [{key: number(v) for key, v in row.items()} for row in csv.DictReader(file)]
+
+
+def number(text):
+    try:
+        return int(text)
+    except ValueError:
+        try:
+            return float(text)
+        except ValueError:
+            return text
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + " --- |" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]) + "\n"
+
+
+def phases(row, names=STEPPING):
+    return [f"{row[f'{name}_ns']:.1f}" for name in names]
+
+
+def peak_share(kernels):
+    """What the step would take if it did nothing but read and write its data once, or nothing but calculate."""
+    peak = {row["kernel"]: row["best"] for row in kernels}
+    bytes_moved, flops = 650.0, 530.0  # counted by hand from src/element and src/contact, an element and step
+    return (f"An element and step read and write some {bytes_moved:.0f} bytes and make some {flops:.0f} additions and "
+            f"multiplications (counted by hand, bending included). The machine streams {peak['memory_triad']:.0f} GB/s from memory and "
+            f"makes {peak['arithmetic']:.0f} Gflop/s on one thread (not fused), which allows {bytes_moved / peak['memory_triad']:.0f} ns of a sheet that "
+            f"lies in memory and {flops / peak['arithmetic']:.0f} ns of arithmetic alone.")
+
+
+def write(text):
+    """The page from the tables as they stand; `text` is the part that a person wrote."""
+    kernels, runs, features, busy, whole, pareto = (
+        read_table(n) for n in ("kernels", "runs", "features", "busy", "whole", "pareto"))
+    parts = [text.format(machine=machine())]
+    if whole:
+        parts += ["## Whole runs\n", table(("run", "elements", "steps", "ns per element-step, least", "median", "wall s, least", *STEPPING, "output"),
+                  [(r["run"], r["elements"], r["steps"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", f"{r['wall_s_min']:.2f}",
+                    *phases(r, (*STEPPING, "output"))) for r in whole])]
+    if runs:
+        parts += ["## Sizes and threads\n", "The double dome with everything on, bending too; the first steps of the press.\n",
+                  table(("elements", "threads", "ns per element-step, least", "median", *STEPPING),
+                        [(r["elements"], r["threads"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", *phases(r)) for r in runs])]
+    if features:
+        parts += ["## What each part costs\n", "One thread, the first 1,500 steps of the double dome.\n",
+                  table(("what", "ns per element-step, least", "median", "over everything", *STEPPING, "output"),
+                        [(r["what"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", f"{r['over_everything']:.2f}",
+                          *phases(r, (*STEPPING, "output"))) for r in features])]
+    if busy:
+        parts += ["## On a busy machine\n", "Without bending, another program taking all it gets of one core.\n",
+                  table(("threads", "other programs", "ns per element-step, least", "median"),
+                        [(r["threads"], r["other_programs"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}") for r in busy])]
+    if kernels:
+        parts += ["## Kernels and the machine\n",
+                  table(("kernel", "best", "median", "unit"),
+                        [(r["kernel"], f"{r['best']:.4g}", f"{r['median']:.4g}", r["unit"]) for r in kernels]), peak_share(kernels) + "\n"]
+    if pareto:
+        parts += ["## Run time against error\n", PARETO, "![Error over run time.](images/pareto.png)\n"]
+        for case in sorted({r["case"] for r in pareto}):
+            rows = front([r for r in pareto if r["case"] == case])
+            parts += [f"The front of the {case.replace('_', ' ')}:\n",
+                      table(("variant", "wall s", "RMS deg", "99th percentile deg", "kinetic over internal"),
+                            [(r["variant"], f"{r['wall_s']:.2f}", f"{r['rms_deg']:.2f}", f"{r['p99_deg']:.2f}",
+                              f"{r['kinetic_to_internal']:.2f}") for r in rows])]
+    PAGE.write_text("\n".join(parts))
+
+
+PARETO = """Quarter models on two threads. Error: shear angle at points 2.5 mm apart on the flat blank, beside that of 102,400 elements of the
+whole sheet at the case's own speed, mass and law. All variants are in `docs/benchmarks/pareto.csv`.
+"""
