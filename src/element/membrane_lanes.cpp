@@ -162,6 +162,18 @@ void update(const ViscousLaw& law, MembraneBatch& b, int count, double dt)
   finish(law.modulus, spring, count, b);
 }
 
+TOWFORM_VECTOR_CLONES
+void update(const ElasticLaw& law, MembraneBatch& __restrict b, int count, double dt)
+{
+  const ShearCurve curve = law.curves->curves.front();
+  const double at_joint = curve.force(ElasticLaw::joint);
+  for (int i = 0; i < count; ++i) {
+    b.rate[i] = std::abs(b.angle[i] - b.old_angle[i]) / dt;
+    b.force[i] = ElasticLaw::force(curve, at_joint, b.angle[i]);
+    b.lost[i] = 0.0;
+  }
+}
+
 namespace {
 inline double tension_of(const BlockLanes& lanes, double spring, int entry)
 {

@@ -52,8 +52,9 @@ void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& b, int fir
 /// Sine and shear angle, counted from `reference_angle` [rad].
 void shear_angles(const BlockLanes& lanes, int first, int count, double reference_angle, MembraneBatch& b);
 
-/// Advances the points of the viscous law by dt: the same bits as ViscousLaw::update.
+/// Advances the points of a law by dt: the same bits as the law's own update.
 void update(const ViscousLaw& law, MembraneBatch& b, int count, double dt);
+void update(const ElasticLaw& law, MembraneBatch& b, int count, double dt);
 
 /// Works of the step and corner forces, of tension and shear. `spring` is that of elements to their strips [N/m].
 void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& lanes, int first, int count,

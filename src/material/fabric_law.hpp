@@ -118,9 +118,15 @@ struct ElasticLaw {
     const ShearCurve& curve = curves->curves.front();
     p.rate = std::abs(angle - p.angle) / dt;
     p.angle = angle;
-    p.force = std::abs(angle) < joint ? curve.force(joint) * angle / joint
-                                      : std::copysign(curve.force(angle), angle);
+    p.force = force(curve, curve.force(joint), angle);
     return 0.0;
+  }
+  /// N at an angle; without branches, for loops that vectorise.
+  static double force(const ShearCurve& curve, double at_joint, double angle)
+  {
+    const double size = angle < 0.0 ? -angle : angle, inside = at_joint * (angle / joint);
+    const double outside = std::copysign(curve.force(size), angle);
+    return size < joint ? inside : outside;
   }
 
   /// dN/dtheta at `after` [N/m per rad].

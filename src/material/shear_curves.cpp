@@ -18,25 +18,6 @@ Eigen::Matrix<double, 1, ShearCurve::order + 1> chebyshev(double u)
   return t;
 }
 
-/// sum c_k T_k(u) and its derivative by u.
-std::pair<double, double> evaluate(const ShearCurve::Coefficients& c, double u)
-{
-  double t0 = 1.0, t1 = u, d0 = 0.0, d1 = 1.0;
-  double value = c[0] + c[1] * u, slope = c[1];
-  for (int k = 2; k <= ShearCurve::order; ++k) {
-    const double t2 = 2.0 * u * t1 - t0, d2 = 2.0 * t1 + 2.0 * u * d1 - d0;
-    value += c[k] * t2;
-    slope += c[k] * d2;
-    t0 = t1;
-    t1 = t2;
-    d0 = d1;
-    d1 = d2;
-  }
-  return {value, slope};
-}
-} // namespace
-
-namespace {
 /// Row k: the coefficients of T_k in powers.
 std::array<ShearCurve::Coefficients, ShearCurve::order + 1> chebyshev_in_powers()
 {
@@ -69,17 +50,23 @@ ShearCurve ShearCurve::from_powers(double rate, double max_angle, const Coeffici
   return {rate, max_angle, c, fit_error};
 }
 
-double ShearCurve::force(double theta) const
+double ShearCurve::slope_at(double u) const
 {
-  const double u = 2.0 * std::abs(theta) / max_angle_ - 1.0;
-  const auto [value, slope] = evaluate(c_, std::min(u, 1.0));
-  return u <= 1.0 ? value : value + slope * (u - 1.0);
+  double t0 = 1.0, t1 = u, d0 = 0.0, d1 = 1.0, slope = c_[1];
+  for (int k = 2; k <= order; ++k) {
+    const double t2 = 2.0 * u * t1 - t0, d2 = 2.0 * t1 + 2.0 * u * d1 - d0;
+    slope += c_[k] * d2;
+    t0 = t1;
+    t1 = t2;
+    d0 = d1;
+    d1 = d2;
+  }
+  return slope;
 }
 
 double ShearCurve::slope(double theta) const
 {
-  const double u = std::min(2.0 * std::abs(theta) / max_angle_ - 1.0, 1.0);
-  return evaluate(c_, u).second * 2.0 / max_angle_;
+  return slope_at(std::min(2.0 * std::abs(theta) / max_angle_ - 1.0, 1.0)) * 2.0 / max_angle_;
 }
 
 double ShearCurves::position(double rate) const

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -14,7 +15,7 @@ public:
   using Coefficients = std::array<double, order + 1>;
 
   ShearCurve(double rate, double max_angle, const Coefficients& chebyshev, double fit_error = 0.0)
-      : rate_(rate), max_angle_(max_angle), fit_error_(fit_error), c_(chebyshev)
+      : rate_(rate), max_angle_(max_angle), fit_error_(fit_error), c_(chebyshev), end_slope_(slope_at(1.0))
   {
   }
   /// From the coefficients a_k of sum a_k x^k, x = 2 theta/max_angle - 1 [N/m].
@@ -26,13 +27,27 @@ public:
   [[nodiscard]] double fit_error() const { return fit_error_; }
   [[nodiscard]] Coefficients powers() const; ///< a_k of sum a_k x^k [N/m]
   /// N_s(|theta|) [N/m]; straight on beyond max_angle.
-  [[nodiscard]] double force(double theta) const;
+  [[nodiscard]] double force(double theta) const
+  {
+    const double u = 2.0 * (theta < 0.0 ? -theta : theta) / max_angle_ - 1.0, inside = u < 1.0 ? u : 1.0;
+    double t0 = 1.0, t1 = inside, value = c_[0] + c_[1] * inside;
+    for (int k = 2; k <= order; ++k) {
+      const double t2 = 2.0 * inside * t1 - t0;
+      value += c_[static_cast<std::size_t>(k)] * t2;
+      t0 = t1;
+      t1 = t2;
+    }
+    return value + end_slope_ * (u - inside);
+  }
   /// dN_s/d|theta| [N/m per rad].
   [[nodiscard]] double slope(double theta) const;
 
 private:
+  [[nodiscard]] double slope_at(double u) const; // by u
+
   double rate_, max_angle_, fit_error_;
   Coefficients c_;
+  double end_slope_; // by u, at max_angle
 };
 
 /// The curves of a sheet, in ascending rate, and how well they fit.

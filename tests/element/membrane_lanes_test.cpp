@@ -1,5 +1,6 @@
 #include "element/arcsine.hpp"
 #include "element/membrane_lanes.hpp"
+#include "element/sheet.hpp"
 #include "material/gf_pp.hpp"
 #include "material/shear_resistance.hpp"
 #include <gtest/gtest.h>
@@ -49,6 +50,22 @@ TEST(MembraneBatch, AdvancesTheViscousLawToTheSameBits)
       ASSERT_EQ(b.rate[i], points[i].rate);
       ASSERT_EQ(b.lost[i], lost);
     }
+  }
+}
+
+TEST(MembraneBatch, FollowsTheElasticLawToTheSameBits)
+{
+  const auto law = std::get<ElasticLaw>(test::law(LawKind::elastic));
+  MembraneBatch b{};
+  const int count = 61;
+  for (int i = 0; i < count; ++i) b.angle[i] = -1.5 + 0.05 * i; // past the curve's end on either side, and through 0
+  b.angle[30] = 1e-3;
+  update(law, b, count, 1e-6);
+  for (int i = 0; i < count; ++i) {
+    ShearPoint p;
+    EXPECT_EQ(b.lost[i], law.update(p, b.angle[i], 1e-6));
+    EXPECT_EQ(b.force[i], p.force) << b.angle[i];
+    EXPECT_EQ(b.rate[i], p.rate);
   }
 }
 
