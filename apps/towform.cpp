@@ -1,6 +1,7 @@
 #include "compare_command.hpp"
 #include "material_command.hpp"
 #include "mesh_command.hpp"
+#include "report_command.hpp"
 #include "run_command.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
@@ -36,6 +37,7 @@ int main(int argc, char** argv)
   add_material_command(app);
   add_info(app);
   add_compare_command(app, code);
+  add_report_command(app);
   try {
     app.parse(argc, argv);
     return status(code);
