@@ -62,11 +62,12 @@ Finding locking(const RunRecord& run)
 }
 
 /// A figure of the summary against a gate; both as they are shown. Nothing without the figure.
-void gate(std::vector<Finding>& list, double value, double limit, const char* words, const char* units)
+void gate(std::vector<Finding>& list, double value, double limit, const char* words, const char* units,
+          const char* after)
 {
   if (!std::isfinite(value)) return;
   const Grade grade = value > limit ? Grade::bad : value > near * limit ? Grade::watch : Grade::good;
-  list.push_back({grade, fmt::format("{} {:.3g} {}, {} its gate of {:.3g} {}.", words, value, units,
+  list.push_back({grade, fmt::format("{} {:.3g} {}{}, {} the gate of {:.3g} {}.", words, value, units, after,
                                      value > limit ? "past" : "within", limit, units)});
 }
 
@@ -79,11 +80,11 @@ std::vector<Finding> verdict(const RunRecord& run)
     const GateParameters& gates = run.run_case->gates;
     list.push_back(locking(run));
     gate(list, 100.0 * run.figure("energy_error"), 100.0 * gates.energy_error,
-         "The account of energies is off by", "% of the external work");
+         "The account of energies is off by", "%", " of the external work");
     gate(list, run.figure("penetration_max_mm"), 1e3 * gates.penetration,
-         "The sheet went at most", "mm into a tool");
+         "The sheet went at most", "mm", " into a tool");
     gate(list, 100.0 * run.figure("fibre_strain_p99"), 100.0 * gates.yarn_strain,
-         "Yarns of 99 % of the elements strain by at most", "%");
+         "In 99 % of the elements yarns strain by at most", "%", "");
   }
   if (const double kinetic = run.figure("kinetic_to_internal_max"); std::isfinite(kinetic))
     list.push_back({kinetic > inertia_matters ? Grade::watch : Grade::good,

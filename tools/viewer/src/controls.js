@@ -12,7 +12,7 @@ export function makeControls(root, scene, fields, tools) {
   root.innerHTML = `
     <div class="stage" id="stage">
       <div class="scalebar"><strong id="bar-label"></strong><canvas id="bar"></canvas><div class="ticks" id="bar-ticks"></div></div>
-      <div class="legend3d" id="legend3d" hidden><i style="border-color:#d55e00"></i>warp<i style="border-color:#0072b2"></i>weft</div>
+      <div class="legend3d" id="legend3d" hidden><i class="warp"></i>warp<i class="weft"></i>weft</div>
       <div class="views" role="group" aria-label="Views">${['Iso', 'Below', 'Top', 'Front', 'Side'].map((v) => `<button type="button" data-view="${v.toLowerCase()}">${v}</button>`).join('')}</div>
     </div>
     <div class="panel">
@@ -21,9 +21,9 @@ export function makeControls(root, scene, fields, tools) {
         <input type="number" id="low" step="any" aria-label="from" hidden><input type="number" id="high" step="any" aria-label="to" hidden></div>
       <fieldset><legend>Show</legend><div class="checks">${check('yarns', 'yarn lines', true)}${check('edges', 'mesh', false)}${mirrored ? check('whole', 'whole part', true) : ''}</div></fieldset>
       ${tools.length ? `<fieldset><legend>Tools</legend><div class="checks">${toolChecks}</div>
-        <label class="row">opacity <input type="range" id="opacity" min="0.05" max="1" step="0.05" value="0.2"></label></fieldset>` : ''}
+        <label class="row">opacity <input type="range" id="opacity" min="0.05" max="1" step="0.05" value="0.15"></label></fieldset>` : ''}
       <fieldset><legend>Cut</legend><div class="row"><select id="cut" aria-label="Cut plane"><option value="-1">none</option><option value="0">at x</option><option value="1">at y</option><option value="2">at z</option></select>
-        <output id="cut-at"></output></div><div class="row"><input type="range" id="cut-place" min="0" max="1000" value="500" aria-label="Place of the cut" disabled></div></fieldset>
+        <input type="range" id="cut-place" min="0" max="1000" value="500" aria-label="Place of the cut" disabled></div><output id="cut-at" class="hint"></output></fieldset>
       <fieldset class="picked"><legend>Element</legend><div id="picked"><span class="hint">Click the sheet for an element's values and history.</span></div></fieldset>
     </div>
     <div class="playback"><button type="button" id="play" aria-label="Play">▶</button>

@@ -76,7 +76,7 @@ class Viewer {
     const distance = (1.02 * radius) / Math.sin((Math.PI / 360) * this.camera.fov) / narrow;
     this.camera.near = 0.02 * distance;
     this.camera.far = 10 * distance;
-    this.camera.position.copy(centre).addScaledVector(new Vector3(...VIEWS[view]).normalize(), distance * 0.82);
+    this.camera.position.copy(centre).addScaledVector(new Vector3(...VIEWS[view]).normalize(), distance * (narrow < 1 ? 0.85 : 0.7));
     this.camera.updateProjectionMatrix();
     this.orbit.target.copy(centre);
     this.orbit.update();
@@ -168,8 +168,10 @@ class Viewer {
     ray.setFromCamera(new Vector2((2 * (x - box.left)) / box.width - 1, 1 - (2 * (y - box.top)) / box.height), this.camera);
     const meshes = this.sheet.images.filter((image) => image.visible).map((image) => image.children[0]);
     const hit = ray.intersectObjects(meshes, false).find(({ point }) => this.cut.planes().every((plane) => plane.distanceToPoint(point) >= 0));
-    this.element = hit ? { number: hit.faceIndex, mirrored: hit.object !== meshes[0] } : null;
+    if (!hit) return;
+    this.element = { number: hit.faceIndex, mirrored: hit.object !== meshes[0] };
     this.showElement();
+    this.parts.picked.parentElement.scrollIntoView({ block: 'nearest' });
   }
 
   showElement() {

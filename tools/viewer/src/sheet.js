@@ -43,9 +43,9 @@ export class Sheet {
       this.geometry.setAttribute(name, new BufferAttribute(new Float32Array(3 * corners), 3));
     const faces = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1,
       polygonOffsetUnits: 1 });
-    const ink = (opacity) => new LineBasicMaterial({ color: 0x000000, transparent: true, opacity });
-    this.materials = { faces, warp: new LineBasicMaterial({ color: 0xd55e00 }), weft: new LineBasicMaterial({ color: 0x0072b2 }),
-      edges: ink(0.35) };
+    // Black and white show on every colour of the maps and are told apart by everyone.
+    const ink = (color, opacity) => new LineBasicMaterial({ color, transparent: true, opacity });
+    this.materials = { faces, warp: ink(0x000000, 0.6), weft: ink(0xffffff, 0.75), edges: ink(0x000000, 0.3) };
 
     this.lines = [];
     let [low, high] = [Infinity, -Infinity];
@@ -53,7 +53,7 @@ export class Sheet {
       low = Math.min(low, reference[i], reference[i + 1]);
       high = Math.max(high, reference[i], reference[i + 1]);
     }
-    this.spacing = (high - low) / 36;
+    this.spacing = (high - low) / 24;
     scene.yarns.forEach((way, family) => {
       if (way) this.addLines(family === 0 ? 'warp' : 'weft', yarnLines(reference, triangles, way, this.spacing));
     });

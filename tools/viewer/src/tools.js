@@ -17,7 +17,7 @@ class Tool {
     geometry.setIndex(new BufferAttribute(corners, 1));
     const flat = geometry.toNonIndexed();
     flat.computeVertexNormals();
-    this.material = new MeshLambertMaterial({ color: TINTS[number % TINTS.length], side: DoubleSide, transparent: true, opacity: 0.22,
+    this.material = new MeshLambertMaterial({ color: TINTS[number % TINTS.length], side: DoubleSide, transparent: true, opacity: 0.15,
       depthWrite: false });
     geometry.computeBoundingBox();
     const { min, max } = geometry.boundingBox;
