@@ -1,5 +1,6 @@
 #include "run_command.hpp"
 #include "case/units.hpp"
+#include "towform/preview.hpp"
 #include "towform/report.hpp"
 #include "towform/run.hpp"
 #include <csignal>
@@ -140,8 +141,22 @@ void add_check(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("check", "say what run would do, or all that it would reject");
   auto arguments = std::make_shared<CaseArguments>();
+  auto directory = std::make_shared<std::string>();
+  auto force = std::make_shared<bool>(false);
   arguments->add_to(*command);
-  command->callback([arguments] { fmt::print("{}", describe_run(arguments->read())); });
+  CLI::Option* preview =
+      command
+          ->add_option("--preview", *directory,
+                       "write sheet, yarns and tools as they start, with a report, into this directory")
+          ->type_name("DIR");
+  command->add_flag("--force", *force, "replace what an earlier preview or run left there")->needs(preview);
+  command->callback([arguments, directory, force] {
+    const Case c = arguments->read();
+    fmt::print("{}", describe_run(c));
+    if (directory->empty()) return;
+    write_preview(c, *directory, *force);
+    fmt::print("wrote {}\n", write_report(*directory).path.string());
+  });
 }
 
 } // namespace

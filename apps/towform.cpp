@@ -1,4 +1,6 @@
 #include "compare_command.hpp"
+#include "init_command.hpp"
+#include "manual_command.hpp"
 #include "material_command.hpp"
 #include "mesh_command.hpp"
 #include "report_command.hpp"
@@ -38,6 +40,8 @@ int main(int argc, char** argv)
   add_info(app);
   add_compare_command(app, code);
   add_report_command(app);
+  add_init_command(app);
+  add_manual_commands(app);
   try {
     app.parse(argc, argv);
     return status(code);

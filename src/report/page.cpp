@@ -70,7 +70,7 @@ std::string figures(const RunRecord& run)
       figure(100.0 * run.figure("kinetic_to_internal_max"), "{:.2g}", " %", "kinetic energy, second half") +
       figure(run.figure("penetration_max_mm"), "{:.2g}", " mm", "deepest penetration") +
       figure(100.0 * run.figure("fibre_strain_p99"), "{:.2g}", " %", "yarn strain, 99 %");
-  return list.empty() ? "" : "<ul class=\"figures\">" + list + "</ul>\n";
+  return list.empty() || run.is_preview() ? "" : "<ul class=\"figures\">" + list + "</ul>\n";
 }
 
 std::string view(const PageContent& p)
@@ -108,6 +108,7 @@ std::string verdict_section(const PageContent& p)
 
 std::string plots_section(const PageContent& p)
 {
+  if (p.run.is_preview()) return "";
   std::string text = "<section id=\"plots\"><h2>Curves</h2><div class=\"plots\">\n";
   for (const Plot& plot : p.plots) text += plot_html(plot);
   return text + "</div></section>\n";

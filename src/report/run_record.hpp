@@ -23,6 +23,7 @@ struct RunRecord {
 
   [[nodiscard]] bool has(const std::string& column) const { return history.count(column) > 0; }
   [[nodiscard]] double figure(const char* name) const; ///< of the summary; NaN when it has none
+  [[nodiscard]] bool is_preview() const { return summary.value("status", "") == "preview"; }
   /// A column at a time, straight lines between rows; nothing without the column.
   [[nodiscard]] std::optional<double> at(const std::string& column, double time) const;
 };

@@ -19,6 +19,7 @@ Finding ending(const RunRecord& run)
   const std::string status = run.summary.value("status", "");
   const std::string message = run.summary.value("message", "");
   if (status == "done") return {Grade::good, "The run went to its end."};
+  if (status == "preview") return {Grade::watch, "A preview: sheet and tools as they start. Nothing has been computed."};
   if (status.empty())
     return {Grade::watch, fmt::format("The run goes on, or was killed: what is shown ends at {:.4g} ms.",
                                       1e3 * run.sheet.time)};
@@ -76,6 +77,7 @@ void gate(std::vector<Finding>& list, double value, double limit, const char* wo
 std::vector<Finding> verdict(const RunRecord& run)
 {
   std::vector<Finding> list{ending(run)};
+  if (run.is_preview()) return list;
   if (run.run_case) {
     const GateParameters& gates = run.run_case->gates;
     list.push_back(locking(run));

@@ -1,5 +1,6 @@
 #include "solver/run_text.hpp"
 #include "parallel/parallel.hpp"
+#include "solver/estimate.hpp"
 #include "solver/mesh_warnings.hpp"
 #include "solver/statics_run.hpp"
 #include <cmath>
@@ -71,6 +72,7 @@ std::string describe_run(const Case& c)
                       1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
                       100.0 * model.added_mass_fraction, direction(model.blank.warp),
                       direction(model.blank.weft), 100.0 * model.material.curves->fit_error);
+  text += estimate_text(estimate(c, model, threads()));
   text += mesh_warnings(c, model);
   for (const Bending& bending : model.bending)
     text += fmt::format("bending stiffness {:.3g} / {:.3g} mN m (warp / weft{})\n",
