@@ -47,11 +47,11 @@ Finding locking(const RunRecord& run)
   Vec3 centre;
   for (const int n : run.sheet.flat.triangles[where]) centre += (1.0 / 3.0) * run.sheet.flat.points[n];
   const double limit = run.run_case->report.locking_angle * 180.0 / M_PI;
-  const bool given = run.run_case->locations.contains("report.locking_angle");
+  const bool is_default = std::abs(limit - 60.0) < 1e-6; // a resolved case gives every key
   const std::string place = fmt::format("element {}, x = {:.0f}, y = {:.0f} mm on the flat blank", where,
                                         1e3 * centre.x, 1e3 * centre.y);
   const std::string of = fmt::format("the locking angle of {:.3g}°{}", limit,
-                                     given && limit != 60.0 ? "" : " (typical of twills, not measured on this sheet)");
+                                     is_default ? " (the default: typical of twills, not measured on this sheet)" : "");
   if (most > limit)
     return {Grade::bad,
             fmt::format("Shear reaches {:.1f}° ({}), past {}: {:.2g} % of the elements are beyond it, and a "

@@ -1,12 +1,12 @@
 // Opens a report in headless Chromium and does what a reader would; prints what it saw as JSON.
-// report_browser.mjs PACKAGES CHROMIUM PAGE PICTURE ELEMENT [WIDTH HEIGHT [SCHEME]]
+// report_browser.mjs PACKAGES CHROMIUM PAGE PICTURE WIDTH HEIGHT SCHEME [ELEMENT]; without ELEMENT it only looks
 import { mkdtempSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
-const [packages, chromium, page_path, picture, element, width = '1280', height = '800', scheme = 'light'] = process.argv.slice(2);
+const [packages, chromium, page_path, picture, width, height, scheme, element] = process.argv.slice(2);
 const playwright = createRequire(join(packages, 'package.json'))('playwright-core').chromium;
 const profile = mkdtempSync(join(tmpdir(), 'towform-browser-'));
 const seen = { errors: [], requests: [] };
@@ -26,6 +26,16 @@ try {
   seen.ready = await page.evaluate(() => document.getElementById('viewer').dataset.ready);
   if (seen.ready !== 'yes') throw new Error(await page.evaluate(() => document.getElementById('viewer').textContent));
 
+  if (element !== undefined) await use(page);
+  seen.overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  await page.screenshot({ path: picture });
+} finally {
+  await browser.close();
+  rmSync(profile, { recursive: true, force: true });
+}
+console.log(JSON.stringify(seen));
+
+async function use(page) {
   // Where an element's middle is on the page, seen from below with the tools off.
   for (const box of await page.locator('input[id^="tool-"]').all()) await box.uncheck();
   await page.uncheck('#yarns');
@@ -65,6 +75,7 @@ try {
     return { element: Number(place.dataset.element), values, curve: place.querySelectorAll('path.curve').length };
   });
 
+  await page.evaluate(() => document.getElementById('stage').scrollIntoView());
   await page.mouse.click(...(await middle()));
   await page.waitForFunction(() => document.getElementById('picked').dataset.element !== undefined, null, { timeout: 10000 });
   seen.picked = await picked();
@@ -91,10 +102,4 @@ try {
   await page.click('#play');
   await page.waitForFunction(() => Number(document.getElementById('frame').value) > 0 && document.getElementById('play').textContent === '▶',
     null, { timeout: 60000 });
-  seen.overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-  await page.screenshot({ path: picture });
-} finally {
-  await browser.close();
-  rmSync(profile, { recursive: true, force: true });
 }
-console.log(JSON.stringify(seen));
