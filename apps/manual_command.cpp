@@ -35,8 +35,9 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app)
 std::string option_line(const CLI::Option& option)
 {
   std::string names = option.get_positional() ? option.get_type_name() : option.get_name(false, true);
-  if (!option.get_positional() && option.get_expected_max() > 0 && !option.get_type_name().empty())
-    names += " " + option.get_type_name();
+  const std::string type = option.get_type_name();
+  if (!option.get_positional() && option.get_expected_max() > 0 && !type.empty())
+    names += " " + type.substr(0, type.find(':')); // without the check of its range
   return fmt::format(".TP\n.B {}\n{}\n", roff(names), roff(option.get_description()));
 }
 

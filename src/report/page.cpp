@@ -18,8 +18,9 @@ const char* css_class(Grade grade)
 /// Said in a sign too: not everyone tells the colours apart.
 const char* sign(Grade grade) { return grade == Grade::good ? "✓" : grade == Grade::watch ? "!" : "✕"; }
 
-std::string badge(Grade grade)
+std::string badge(Grade grade, bool preview)
 {
+  if (preview) return "<span class=\"badge watch\">a preview: nothing is computed</span>";
   return fmt::format("<a class=\"badge {}\" href=\"#verdict\"><span aria-hidden=\"true\">{}</span> {}</a>",
                      css_class(grade), sign(grade),
                      grade == Grade::good    ? "nothing speaks against it"
@@ -191,7 +192,7 @@ std::string page_html(const PageContent& p)
       html(p.frames.text("version")), html(title), resources::style());
   page += fmt::format("<header><div><h1>{}</h1><p>{}</p></div>{}<button id=\"theme\" type=\"button\">Dark</button>"
                       "</header>\n<main>\n",
-                      html(title), html(subtitle(p)), badge(worst(p.findings)));
+                      html(title), html(subtitle(p)), badge(worst(p.findings), p.run.is_preview()));
   page += figures(p.run);
   page += view(p) + verdict_section(p) + plots_section(p) + papers(p);
   page += "</main>\n";

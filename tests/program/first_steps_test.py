@@ -67,7 +67,7 @@ class Papers(Program):
             self.assertIn(words, manual)
         for line in done.stdout.splitlines():  # nothing that roff would take for a request of its own
             if line.startswith((".", "'")):
-                self.assertRegex(line, r'^\.(\\"|TH|SH|SS|TP|B|I|PP|nf|fi)\b?')
+                self.assertRegex(line, r'^\.(\\"|TH|SH|SS|TP|B|I|PP|nf|fi)( |$)')
 
     def test_the_schema_is_the_one_that_is_kept(self):
         done = self.towform("schema")

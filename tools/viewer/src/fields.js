@@ -47,6 +47,7 @@ class Field {
     const at = (share) => sorted[Math.round(share * (sorted.length - 1))];
     let [low, high] = this.whole ? [sorted[0], sorted[sorted.length - 1]] : [at(RANGE_TAILS), at(1 - RANGE_TAILS)];
     if (this.magnitude || this.larger) low = 0;
+    if (high - low <= 1e-9 * Math.max(Math.abs(high), 1)) return [low, low + 1]; // one value everywhere: no false patches
     if (this.signed && low < 0 && high > 0) {
       high = Math.max(high, -low);
       low = -high;

@@ -76,7 +76,7 @@ class Viewer {
     const distance = (1.02 * radius) / Math.sin((Math.PI / 360) * this.camera.fov) / narrow;
     this.camera.near = 0.02 * distance;
     this.camera.far = 10 * distance;
-    this.camera.position.copy(centre).addScaledVector(new Vector3(...VIEWS[view]).normalize(), distance * (narrow < 1 ? 0.85 : 0.7));
+    this.camera.position.copy(centre).addScaledVector(new Vector3(...VIEWS[view]).normalize(), distance * (narrow < 1 ? 0.9 : 0.78));
     this.camera.updateProjectionMatrix();
     this.orbit.target.copy(centre);
     this.orbit.update();

@@ -53,7 +53,7 @@ export class Sheet {
       low = Math.min(low, reference[i], reference[i + 1]);
       high = Math.max(high, reference[i], reference[i + 1]);
     }
-    this.spacing = (high - low) / 24;
+    this.spacing = ((scene.mirror.some(Boolean) ? 2 : 1) * (high - low)) / 28;
     scene.yarns.forEach((way, family) => {
       if (way) this.addLines(family === 0 ? 'warp' : 'weft', yarnLines(reference, triangles, way, this.spacing));
     });
