@@ -152,10 +152,12 @@ void add_check(CLI::App& app)
   command->add_flag("--force", *force, "replace what an earlier preview or run left there")->needs(preview);
   command->callback([arguments, directory, force] {
     const Case c = arguments->read();
-    fmt::print("{}", describe_run(c));
-    if (directory->empty()) return;
-    write_preview(c, *directory, *force);
-    fmt::print("wrote {}\n", write_report(*directory).path.string());
+    std::string text = describe_run(c);
+    if (!directory->empty()) {
+      write_preview(c, *directory, *force);
+      text += fmt::format("wrote {}\n", write_report(*directory).path.string());
+    }
+    fmt::print("{}", text);
   });
 }
 
