@@ -38,7 +38,9 @@ std::string title_of(const PageContent& p)
 std::string subtitle(const PageContent& p)
 {
   const RunRecord& run = p.run;
-  std::string text = fmt::format("{} elements, {:.4g} ms", run.sheet.flat.triangles.size(), 1e3 * run.sheet.time);
+  const double time = run.sheet.time;
+  std::string text = fmt::format("{} elements, {:.4g} {}", run.sheet.flat.triangles.size(),
+                                 time < 1.0 ? 1e3 * time : time, time < 1.0 ? "ms" : "s");
   if (!run.run_case) return text;
   const Case& c = *run.run_case;
   text += fmt::format(", {:.0f} °C", c.material.temperature - 273.15);

@@ -61,6 +61,11 @@ export function roundTicks(low, high, count) {
   return ticks;
 }
 
+/** A time [s] with its unit. */
+export function shownTime(time) {
+  return time < 1 ? `${(1e3 * time).toFixed(2)} ms` : `${time.toFixed(2)} s`;
+}
+
 /** A number for people: four digits, no exponent where it can be helped. */
 export function shown(value) {
   if (!Number.isFinite(value)) return '–';

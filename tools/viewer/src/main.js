@@ -5,7 +5,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { readCorners, Series } from './blocks.js';
-import { Scale } from './colours.js';
+import { Scale, shownTime } from './colours.js';
 import { drawBar, makeControls } from './controls.js';
 import { Cut } from './cut.js';
 import { makeFields } from './fields.js';
@@ -90,7 +90,7 @@ class Viewer {
     this.parts.frame.value = frame;
     const driven = this.tools.find((tool) => tool.displacement.some((d) => d !== 0));
     const stroke = driven ? `, ${driven.name} ${(1e3 * driven.displacement[frame]).toFixed(1)} mm` : '';
-    this.parts.time.textContent = `${(1e3 * this.scene.times[frame]).toFixed(2)} ms${stroke}`;
+    this.parts.time.textContent = `${shownTime(this.scene.times[frame])}${stroke}`;
     this.paint();
     this.updateCut();
     this.showElement();

@@ -1,5 +1,5 @@
 // The element that was clicked: its values in this frame, and its history as a small curve.
-import { roundTicks, shown } from './colours.js';
+import { roundTicks, shown, shownTime } from './colours.js';
 
 function curve(times, values, at, label) {
   const [width, height, left, bottom] = [260, 120, 40, 18];
@@ -12,10 +12,10 @@ function curve(times, values, at, label) {
     .map((v) => `<path class="grid" d="M${left} ${y(v).toFixed(1)}H${width - 8}"/><text class="tick end" x="${left - 4}" y="${(y(v) + 4).toFixed(1)}">${shown(v)}</text>`)
     .join('');
   const line = values.map((v, i) => (Number.isFinite(v) ? `${i ? 'L' : 'M'}${x(times[i]).toFixed(1)} ${y(v).toFixed(1)}` : '')).join('');
-  const end = shown(1e3 * times[times.length - 1]);
+  const end = shownTime(times[times.length - 1]);
   return `<svg viewBox="0 0 ${width} ${height}" role="img" aria-label="${label} over time">${ticks}<path class="curve series-0" d="${line.replace(/^L/, 'M')}"/>` +
     `<circle class="mark series-1" cx="${x(times[at]).toFixed(1)}" cy="${y(values[at]).toFixed(1)}" r="3.5"/>` +
-    `<text class="tick" x="${left}" y="${height - 4}">${label}</text><text class="tick end" x="${width - 8}" y="${height - 4}">${end} ms</text></svg>`;
+    `<text class="tick" x="${left}" y="${height - 4}">${label}</text><text class="tick end" x="${width - 8}" y="${height - 4}">${end}</text></svg>`;
 }
 
 /** Fills the panel's place for it. `field` is what the sheet is coloured by. */
