@@ -59,6 +59,7 @@ std::string figure(double value, const char* format, const char* units, const ch
 
 std::string figures(const RunRecord& run)
 {
+  const double kinetic = run.figure("kinetic_to_internal_max");
   const auto part = [&](const char* group, const char* name) {
     const auto found = run.summary.find(group);
     return found != run.summary.end() ? found->value(name, std::nan("")) : std::nan("");
@@ -70,7 +71,7 @@ std::string figures(const RunRecord& run)
       figure(part("draw_in_mm", "y_mid"), "{:.1f}", " mm", "draw-in along y") +
       figure(run.figure("punch_force_max_N"), "{:.4g}", " N", "largest driving force") +
       figure(100.0 * run.figure("energy_error"), "{:.2g}", " %", "energy error") +
-      figure(100.0 * run.figure("kinetic_to_internal_max"), "{:.2g}", " %", "kinetic energy, second half") +
+      figure(kinetic > 0.0 ? 100.0 * kinetic : NAN, "{:.2g}", " %", "kinetic energy, second half") +
       figure(run.figure("penetration_max_mm"), "{:.2g}", " mm", "deepest penetration") +
       figure(100.0 * run.figure("fibre_strain_p99"), "{:.2g}", " %", "yarn strain, 99 %");
   return list.empty() || run.is_preview() ? "" : "<ul class=\"figures\">" + list + "</ul>\n";
