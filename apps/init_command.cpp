@@ -69,14 +69,16 @@ void init(const fs::path& directory)
   for (const fs::path& path : {case_file, schema}) {
     std::error_code ignored;
     if (fs::exists(path, ignored))
-      throw FileError(fmt::format("{}: is there already; name another directory: towform init DIR", path.string()));
+      throw FileError(
+          fmt::format("{}: is there already; name another directory: towform init DIR", path.string()));
   }
   make_directory(directory);
   replace_file(schema, case_schema());
   replace_file(case_file, starting_case);
-  fmt::print("wrote {} and {}\nlook at it:  towform check {} --preview {}\nform it:     towform run {} -o {}\n",
-             case_file.string(), schema.filename().string(), case_file.string(), (directory / "preview").string(),
-             case_file.string(), (directory / "results").string());
+  fmt::print(
+      "wrote {} and {}\nlook at it:  towform check {} --preview {}\nform it:     towform run {} -o {}\n",
+      case_file.string(), schema.filename().string(), case_file.string(), (directory / "preview").string(),
+      case_file.string(), (directory / "results").string());
 }
 
 } // namespace

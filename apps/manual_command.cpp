@@ -58,8 +58,9 @@ std::string keys_text()
   for (const Row& row : key_table()) {
     if (row.section() != last) {
       last = row.section();
-      text += fmt::format(".SS {}\n", last.empty() ? "outside any table"
-                                      : is_list_section(last) ? "[[" + last + "]]" : "[" + last + "]");
+      text += fmt::format(".SS {}\n", last.empty()            ? "outside any table"
+                                      : is_list_section(last) ? "[[" + last + "]]"
+                                                              : "[" + last + "]");
     }
     text += fmt::format(".TP\n.B {}\n{} ({}", roff(row.path), roff(row.meaning), roff(type_of(row)));
     if (!row.range.empty()) text += "; " + roff(row.range);
@@ -74,18 +75,25 @@ std::string keys_text()
 
 std::string man_page(const CLI::App& app)
 {
-  std::string text = fmt::format(".\\\" Written by `towform manual`.\n.TH TOWFORM 1 \"\" \"towform {}\"\n.SH NAME\n"
-                                 "towform \\- forming simulation of woven composite sheets\n.SH SYNOPSIS\n"
-                                 ".B towform\n.I COMMAND\n[...]\n.SH DESCRIPTION\n{}.\nA case is a TOML file; "
-                                 "numbers are SI, text takes a unit.\n.SH COMMANDS\n",
-                                 version::number, roff(app.get_description()));
+  std::string text =
+      fmt::format(".\\\" Written by `towform manual`.\n.TH TOWFORM 1 \"\" \"towform {}\"\n.SH NAME\n"
+                  "towform \\- forming simulation of woven composite sheets\n.SH SYNOPSIS\n"
+                  ".B towform\n.I COMMAND\n[...]\n.SH DESCRIPTION\n{}.\nA case is a TOML file; "
+                  "numbers are SI, text takes a unit.\n.SH COMMANDS\n",
+                  version::number, roff(app.get_description()));
   for (const CLI::App* command : commands_of(app)) text += command_text(*command, "towform");
   text += ".SH KEYS OF A CASE\n" + keys_text();
   text += ".SH EXIT STATUS\n";
-  for (const auto& [code, meaning] :
-       {std::pair{0, "done"}, {2, "usage"}, {3, "case file"}, {4, "files"}, {5, "stopped by a stability or energy gate"},
-        {6, "stopped by the contact gate"}, {7, "checkpoint that cannot be gone on from"},
-        {8, "comparison out of tolerance"}, {70, "a bug in towform"}, {75, "interrupted, with a checkpoint"}})
+  for (const auto& [code, meaning] : {std::pair{0, "done"},
+                                      {2, "usage"},
+                                      {3, "case file"},
+                                      {4, "files"},
+                                      {5, "stopped by a stability or energy gate"},
+                                      {6, "stopped by the contact gate"},
+                                      {7, "checkpoint that cannot be gone on from"},
+                                      {8, "comparison out of tolerance"},
+                                      {70, "a bug in towform"},
+                                      {75, "interrupted, with a checkpoint"}})
     text += fmt::format(".TP\n.B {}\n{}\n", code, meaning);
   return text + ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nset to anything: no colour on the terminal\n";
 }

@@ -7,7 +7,8 @@ namespace towform {
 void add_report_command(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand(
-      "report", "write DIR/report.html: one page with the formed sheet in 3-D, plots, verdict and provenance");
+      "report",
+      "write DIR/report.html: one page with the formed sheet in 3-D, plots, verdict and provenance");
   auto directory = std::make_shared<std::string>();
   auto options = std::make_shared<ReportOptions>();
   command->add_option("directory", *directory, "directory of a run's results, done or still going on")

@@ -133,7 +133,8 @@ void add_resume(CLI::App& app, ExitCode& code)
     options->controls.signal = &signal_seen;
     const RunOutcome outcome = resume(*options);
     const bool was_done = outcome.summary.steps == 0; // nothing was left to do
-    finish(outcome, *options, !was_done && read_case(options->directory / "case.resolved.toml").output.report, code);
+    finish(outcome, *options, !was_done && read_case(options->directory / "case.resolved.toml").output.report,
+           code);
   });
 }
 

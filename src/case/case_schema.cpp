@@ -25,18 +25,30 @@ Json type_schema(const Row& row)
 {
   const Json points = list_of(list_of(number(), 2));
   return std::visit(Overload{
-                        [](At<bool>) -> Json { return {{"type", "boolean"}}; },
+                        [](At<bool>) -> Json {
+                          return {{"type", "boolean"}};
+                        },
                         [](At<double>) { return number(); },
                         [](At<std::optional<double>>) { return number(); },
-                        [](At<int>) -> Json { return {{"type", "integer"}}; },
-                        [](At<std::optional<int>>) -> Json { return {{"type", "integer"}}; },
-                        [](At<std::string>) -> Json { return {{"type", "string"}}; },
-                        [](At<std::filesystem::path>) -> Json { return {{"type", "string"}}; },
+                        [](At<int>) -> Json {
+                          return {{"type", "integer"}};
+                        },
+                        [](At<std::optional<int>>) -> Json {
+                          return {{"type", "integer"}};
+                        },
+                        [](At<std::string>) -> Json {
+                          return {{"type", "string"}};
+                        },
+                        [](At<std::filesystem::path>) -> Json {
+                          return {{"type", "string"}};
+                        },
                         [](At<Vec2>) { return list_of(number(), 2); },
                         [](At<std::optional<Vec2>>) { return either(number(), list_of(number(), 2)); },
                         [](At<Vec3>) { return list_of(number(), 3); },
                         [](At<std::optional<Vec3>>) { return list_of(number(), 3); },
-                        [](const Words& words) -> Json { return {{"enum", words.names}}; },
+                        [](const Words& words) -> Json {
+                          return {{"enum", words.names}};
+                        },
                         [](const MotionAmount&) { return number(); },
                         [&](const MotionTable&) { return points; },
                         [](At<std::vector<double>>) { return list_of(number()); },

@@ -28,8 +28,7 @@ ResultsFrames::ResultsFrames(const std::filesystem::path& path) : path_(path), f
                    [](const auto& a, const auto& b) { return a.size() < b.size(); });
   if (names_.empty()) throw FileError(fmt::format("{}: holds no frame yet", path.string()));
   for (const std::string& name : names_)
-    times_.push_back(
-        hdf5::number_attribute(hdf5::open_group(file_.id(), "frames/" + name).id(), "time"));
+    times_.push_back(hdf5::number_attribute(hdf5::open_group(file_.id(), "frames/" + name).id(), "time"));
   const hdf5::Group first = hdf5::open_group(file_.id(), "frames/" + names_.front());
   for (const std::string& name : hdf5::link_names(first.id())) {
     const hdf5::Dataset dataset = hdf5::open_dataset(first.id(), name);

@@ -19,9 +19,9 @@ public:
   explicit ResultsFrames(const std::filesystem::path& path);
 
   [[nodiscard]] std::size_t size() const { return names_.size(); }
-  [[nodiscard]] const std::vector<double>& times() const { return times_; }          ///< [s]
-  [[nodiscard]] const std::vector<FrameField>& fields() const { return fields_; }    ///< of the first frame
-  [[nodiscard]] const FrameField* find(const std::string& field) const;              ///< null when not there
+  [[nodiscard]] const std::vector<double>& times() const { return times_; }       ///< [s]
+  [[nodiscard]] const std::vector<FrameField>& fields() const { return fields_; } ///< of the first frame
+  [[nodiscard]] const FrameField* find(const std::string& field) const;           ///< null when not there
   [[nodiscard]] std::vector<double> values(std::size_t frame, const FrameField& field) const; ///< row by row
   [[nodiscard]] std::string text(const std::string& attribute) const; ///< of the file; empty when not there
 

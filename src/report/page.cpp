@@ -53,8 +53,8 @@ std::string subtitle(const PageContent& p)
 std::string figure(double value, const char* format, const char* units, const char* label)
 {
   if (!std::isfinite(value)) return "";
-  return fmt::format("<li><b>{}<small>{}</small></b><span>{}</span></li>", fmt::format(fmt::runtime(format), value),
-                     units, label);
+  return fmt::format("<li><b>{}<small>{}</small></b><span>{}</span></li>",
+                     fmt::format(fmt::runtime(format), value), units, label);
 }
 
 std::string figures(const RunRecord& run)
@@ -80,10 +80,13 @@ std::string figures(const RunRecord& run)
 std::string view(const PageContent& p)
 {
   if (p.scene == nullptr)
-    return "<section id=\"view\"><p class=\"absent\">This page has no 3-D view: this towform was built without "
-           "Node, which bundles it (scripts/packages-viewer). <code>results.xdmf</code> opens in ParaView, and "
+    return "<section id=\"view\"><p class=\"absent\">This page has no 3-D view: this towform was built "
+           "without "
+           "Node, which bundles it (scripts/packages-viewer). <code>results.xdmf</code> opens in ParaView, "
+           "and "
            "<code>tools/plot.py</code> draws pictures.</p></section>\n";
-  return "<section id=\"view\"><div id=\"viewer\" class=\"viewer\"><p class=\"absent\">Loading the 3-D view; it "
+  return "<section id=\"view\"><div id=\"viewer\" class=\"viewer\"><p class=\"absent\">Loading the 3-D view; "
+         "it "
          "needs JavaScript and WebGL.</p></div></section>\n";
 }
 
@@ -106,7 +109,8 @@ std::string verdict_section(const PageContent& p)
   if (const auto warnings = warnings_of(p.run.log); !warnings.empty())
     text += fmt::format("<h3>The run warned</h3><ul class=\"plain\">{}</ul>", list_items(warnings));
   if (!p.notes.empty())
-    text += fmt::format("<h3>Left out of this page</h3><ul class=\"plain\" id=\"notes\">{}</ul>", list_items(p.notes));
+    text += fmt::format("<h3>Left out of this page</h3><ul class=\"plain\" id=\"notes\">{}</ul>",
+                        list_items(p.notes));
   return text + "</section>\n";
 }
 
@@ -122,9 +126,10 @@ std::string summary_table(const nlohmann::ordered_json& summary, const std::stri
 {
   std::string rows;
   for (const auto& [name, value] : summary.items())
-    rows += value.is_object() ? summary_table(value, before + name + ".")
-                              : fmt::format("<tr><th>{}</th><td>{}</td></tr>", html(before + name),
-                                            html(value.is_string() ? value.get<std::string>() : value.dump()));
+    rows += value.is_object()
+                ? summary_table(value, before + name + ".")
+                : fmt::format("<tr><th>{}</th><td>{}</td></tr>", html(before + name),
+                              html(value.is_string() ? value.get<std::string>() : value.dump()));
   return rows;
 }
 
@@ -168,7 +173,8 @@ std::string papers(const PageContent& p)
 std::string data(const Scene& scene)
 {
   std::string json = scene.description.dump();
-  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6) json.replace(at, 1, "\\u003c");
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; at += 6)
+    json.replace(at, 1, "\\u003c");
   std::string text = fmt::format("<script type=\"application/json\" id=\"scene\">{}</script>\n", json);
   for (const SceneBlock& block : scene.blocks)
     text += fmt::format("<script type=\"text/plain\" id=\"block-{}\">{}</script>\n", block.id, block.text);
@@ -177,7 +183,8 @@ std::string data(const Scene& scene)
 
 constexpr const char* theme_script =
     "<script>(()=>{const root=document.documentElement,button=document.getElementById('theme');"
-    "const dark=()=>(root.dataset.theme||(matchMedia('(prefers-color-scheme: dark)').matches?'dark':'light'))==='dark';"
+    "const dark=()=>(root.dataset.theme||(matchMedia('(prefers-color-scheme: "
+    "dark)').matches?'dark':'light'))==='dark';"
     "const show=()=>{button.textContent=dark()?'Light':'Dark'};show();"
     "button.onclick=()=>{root.dataset.theme=dark()?'light':'dark';show();"
     "dispatchEvent(new Event('themechange'))}})()</script>\n";
@@ -187,15 +194,16 @@ constexpr const char* theme_script =
 std::string page_html(const PageContent& p)
 {
   const std::string title = title_of(p);
-  std::string page = fmt::format(
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-      "<meta name=\"generator\" content=\"towform {}\"><link rel=\"icon\" href=\"data:,\">"
-      "<title>{}</title>\n<style>\n{}</style></head>\n<body>\n",
-      html(p.frames.text("version")), html(title), resources::style());
-  page += fmt::format("<header><div><h1>{}</h1><p>{}</p></div>{}<button id=\"theme\" type=\"button\">Dark</button>"
-                      "</header>\n<main>\n",
-                      html(title), html(subtitle(p)), badge(worst(p.findings), p.run.is_preview()));
+  std::string page =
+      fmt::format("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+                  "<meta name=\"generator\" content=\"towform {}\"><link rel=\"icon\" href=\"data:,\">"
+                  "<title>{}</title>\n<style>\n{}</style></head>\n<body>\n",
+                  html(p.frames.text("version")), html(title), resources::style());
+  page += fmt::format(
+      "<header><div><h1>{}</h1><p>{}</p></div>{}<button id=\"theme\" type=\"button\">Dark</button>"
+      "</header>\n<main>\n",
+      html(title), html(subtitle(p)), badge(worst(p.findings), p.run.is_preview()));
   page += figures(p.run);
   page += view(p) + verdict_section(p) + plots_section(p) + papers(p);
   page += "</main>\n";

@@ -8,7 +8,7 @@ namespace towform {
 /// All that a page shows.
 struct PageContent {
   const RunRecord& run;
-  const ResultsFrames& frames; ///< for the provenance in the file's attributes
+  const ResultsFrames& frames;  ///< for the provenance in the file's attributes
   const Scene* scene = nullptr; ///< null without the 3-D view
   std::vector<Finding> findings;
   std::vector<Plot> plots;

@@ -85,17 +85,20 @@ private:
   void axes()
   {
     for (const double v : round_ticks(y_.low, y_.high, 6))
-      text_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
-                           "class=\"tick end\">{:.4g}</text>",
-                           left, y_.at(v), width - right, left - 6.0, y_.at(v) + 4.0, v);
+      text_ +=
+          fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
+                      "class=\"tick end\">{:.4g}</text>",
+                      left, y_.at(v), width - right, left - 6.0, y_.at(v) + 4.0, v);
     for (const double v : round_ticks(x_.low, x_.high, 7))
-      text_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
-                           "class=\"tick middle\">{:.4g}</text>",
-                           x_.at(v), top, height - bottom, x_.at(v), height - bottom + 16.0, v);
+      text_ +=
+          fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" "
+                      "class=\"tick middle\">{:.4g}</text>",
+                      x_.at(v), top, height - bottom, x_.at(v), height - bottom + 16.0, v);
     text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"axis middle\">{}</text>",
                          0.5 * (left + width - right), height - 6.0, html(plot_.x_label));
-    text_ += fmt::format("<text transform=\"translate(13 {:.1f}) rotate(-90)\" class=\"axis middle\">{}</text>",
-                         0.5 * (top + height - bottom), html(plot_.y_label));
+    text_ +=
+        fmt::format("<text transform=\"translate(13 {:.1f}) rotate(-90)\" class=\"axis middle\">{}</text>",
+                    0.5 * (top + height - bottom), html(plot_.y_label));
   }
 
   void limits()
@@ -103,13 +106,15 @@ private:
     for (const PlotLimit& limit : plot_.limits) {
       const double at = (limit.upright ? x_ : y_).at(limit.value);
       if (limit.upright)
-        text_ += fmt::format("<path class=\"limit\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/><text x=\"{3:.1f}\" y=\"{4:.1f}\" "
-                             "class=\"tick end\">{5}</text>",
-                             at, top, height - bottom, at - 4.0, top + 10.0, html(limit.label));
+        text_ += fmt::format(
+            "<path class=\"limit\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/><text x=\"{3:.1f}\" y=\"{4:.1f}\" "
+            "class=\"tick end\">{5}</text>",
+            at, top, height - bottom, at - 4.0, top + 10.0, html(limit.label));
       else
-        text_ += fmt::format("<path class=\"limit\" d=\"M{0:.1f} {1:.1f}H{2:.1f}\"/><text x=\"{2:.1f}\" y=\"{3:.1f}\" "
-                             "class=\"tick end\">{4}</text>",
-                             left, at, width - right, at + 12.0, html(limit.label));
+        text_ += fmt::format(
+            "<path class=\"limit\" d=\"M{0:.1f} {1:.1f}H{2:.1f}\"/><text x=\"{2:.1f}\" y=\"{3:.1f}\" "
+            "class=\"tick end\">{4}</text>",
+            left, at, width - right, at + 12.0, html(limit.label));
     }
   }
 
@@ -118,10 +123,12 @@ private:
     const auto& points = plot_.series.front().points;
     const double zero = y_.at(0.0);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const double from = x_.at(points[i].first), to = x_.at(points[i + 1].first), up = y_.at(points[i].second);
+      const double from = x_.at(points[i].first), to = x_.at(points[i + 1].first),
+                   up = y_.at(points[i].second);
       if (points[i].second > 0.0)
-        text_ += fmt::format("<rect class=\"bar\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
-                             from, up, std::max(to - from - 0.6, 0.4), zero - up);
+        text_ +=
+            fmt::format("<rect class=\"bar\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
+                        from, up, std::max(to - from - 0.6, 0.4), zero - up);
     }
   }
 
@@ -148,7 +155,8 @@ private:
       broken = false;
       last = here;
     }
-    if (!path.empty()) text_ += fmt::format("<path class=\"curve series-{}\" d=\"{}\"/>", number % colours, path);
+    if (!path.empty())
+      text_ += fmt::format("<path class=\"curve series-{}\" d=\"{}\"/>", number % colours, path);
   }
 
   const Plot& plot_;
@@ -185,24 +193,34 @@ std::string plot_html(const Plot& plot)
   std::string legend;
   if (plot.series.size() > 1)
     for (std::size_t i = 0; i < plot.series.size(); ++i)
-      legend += fmt::format("<li><svg class=\"key\" viewBox=\"0 0 24 8\">{}</svg>{}</li>",
-                            plot.series[i].marks
-                                ? fmt::format("<circle class=\"mark series-{}\" cx=\"12\" cy=\"4\" r=\"3.2\"/>", i % colours)
-                                : fmt::format("<path class=\"curve series-{}\" d=\"M1 4H23\"/>", i % colours),
-                            html(plot.series[i].label));
-  return fmt::format("<figure><figcaption>{}</figcaption>{}{}</figure>\n", html(plot.title), Drawing(plot).svg(),
-                     legend.empty() ? "" : "<ul class=\"legend\">" + legend + "</ul>");
+      legend += fmt::format(
+          "<li><svg class=\"key\" viewBox=\"0 0 24 8\">{}</svg>{}</li>",
+          plot.series[i].marks
+              ? fmt::format("<circle class=\"mark series-{}\" cx=\"12\" cy=\"4\" r=\"3.2\"/>", i % colours)
+              : fmt::format("<path class=\"curve series-{}\" d=\"M1 4H23\"/>", i % colours),
+          html(plot.series[i].label));
+  return fmt::format("<figure><figcaption>{}</figcaption>{}{}</figure>\n", html(plot.title),
+                     Drawing(plot).svg(), legend.empty() ? "" : "<ul class=\"legend\">" + legend + "</ul>");
 }
 
 std::string html(const std::string& text)
 {
   std::string safe;
   for (const char c : text) switch (c) {
-      case '&': safe += "&amp;"; break;
-      case '<': safe += "&lt;"; break;
-      case '>': safe += "&gt;"; break;
-      case '"': safe += "&quot;"; break;
-      default: safe += c;
+    case '&':
+      safe += "&amp;";
+      break;
+    case '<':
+      safe += "&lt;";
+      break;
+    case '>':
+      safe += "&gt;";
+      break;
+    case '"':
+      safe += "&quot;";
+      break;
+    default:
+      safe += c;
     }
   return safe;
 }

@@ -125,7 +125,12 @@ double area(const SheetResult& sheet, std::size_t element)
 
 Plot histogram(const RunRecord& run)
 {
-  Plot plot{"How much of the blank is sheared how far", "|shear angle| [°]", "share of the blank [%]", {}, {}, true};
+  Plot plot{"How much of the blank is sheared how far",
+            "|shear angle| [°]",
+            "share of the blank [%]",
+            {},
+            {},
+            true};
   const SheetResult& sheet = run.sheet;
   double most = 0.0, total = 0.0;
   for (const double angle : sheet.shear) most = std::max(most, std::abs(angle));

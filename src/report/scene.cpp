@@ -128,9 +128,10 @@ private:
   {
     const std::size_t components = quantised.offset.size();
     Json entry{{"block", id}, {"rows", rows}, {"offset", quantised.offset}, {"step", quantised.step}};
-    const bool constant = std::all_of(quantised.step.begin(), quantised.step.end(),
-                                      [](double step) { return step == 0.0; });
-    if (constant && std::find(quantised.q.begin(), quantised.q.end(), Quantised::missing) == quantised.q.end())
+    const bool constant =
+        std::all_of(quantised.step.begin(), quantised.step.end(), [](double step) { return step == 0.0; });
+    if (constant &&
+        std::find(quantised.q.begin(), quantised.q.end(), Quantised::missing) == quantised.q.end())
       entry["constant"] = true; // the offsets say it all
     else
       scene_.blocks.push_back({id, packed(quantised.q, components, rows * components)});

@@ -79,7 +79,10 @@ Plot along_section(const RunRecord& run)
 {
   const Ends ends = ends_of(run);
   Plot plot{fmt::format("Shear along the section from {} to {} mm in plan", shown(ends.from), shown(ends.to)),
-            "length over the sheet [mm]", "|shear angle| [°]", {}, {}};
+            "length over the sheet [mm]",
+            "|shear angle| [°]",
+            {},
+            {}};
   PlotSeries sheet{"sheet", {}, false};
   for (const SectionPiece& piece : pieces_between(run, ends))
     sheet.points.emplace_back(500.0 * (piece.arc_from + piece.arc_to), shear_of(run, piece, true));
@@ -157,7 +160,8 @@ private:
       const Vec3 middle = 0.5 * (piece.from + piece.to);
       const double at = sphere ? polar(middle, *wishes_.centre, pieces.front().from.z > wishes_.centre->z)
                                : 0.5 * (piece.arc_from + piece.arc_to);
-      if (at <= 1.05 * last) sheet.points.emplace_back(scale * at, shear_of(run_, piece, comparison_.magnitudes));
+      if (at <= 1.05 * last)
+        sheet.points.emplace_back(scale * at, shear_of(run_, piece, comparison_.magnitudes));
     }
     p.series = {std::move(sheet), std::move(points)};
   }
@@ -204,8 +208,8 @@ Plot section_plot(const RunRecord& run, std::vector<std::string>& notes)
 {
   if (run.run_case && !run.run_case->report.reference.empty()) {
     const auto note = [&](const std::string& why) {
-      notes.push_back(fmt::format("the reference {} is not drawn: {}",
-                                  run.run_case->report.reference.string(), why));
+      notes.push_back(
+          fmt::format("the reference {} is not drawn: {}", run.run_case->report.reference.string(), why));
     };
     try {
       return ReferencePlot(run).plot();

@@ -10,16 +10,17 @@ namespace {
 
 using Grade = Finding::Grade;
 
-constexpr double inertia_matters = 0.1;       ///< kinetic over internal energy, as the run itself says
-constexpr double compression_matters = 0.01;  ///< fraction of elements, likewise
-constexpr double near = 0.5;                  ///< of a gate: worth a look
+constexpr double inertia_matters = 0.1;      ///< kinetic over internal energy, as the run itself says
+constexpr double compression_matters = 0.01; ///< fraction of elements, likewise
+constexpr double near = 0.5;                 ///< of a gate: worth a look
 
 Finding ending(const RunRecord& run)
 {
   const std::string status = run.summary.value("status", "");
   const std::string message = run.summary.value("message", "");
   if (status == "done") return {Grade::good, "The run went to its end."};
-  if (status == "preview") return {Grade::watch, "A preview: sheet and tools as they start. Nothing has been computed."};
+  if (status == "preview")
+    return {Grade::watch, "A preview: sheet and tools as they start. Nothing has been computed."};
   if (status.empty())
     return {Grade::watch, fmt::format("The run goes on, or was killed: what is shown ends at {:.4g} ms.",
                                       1e3 * run.sheet.time)};
@@ -50,8 +51,9 @@ Finding locking(const RunRecord& run)
   const bool is_default = std::abs(limit - 60.0) < 1e-6; // a resolved case gives every key
   const std::string place = fmt::format("element {}, x = {:.0f}, y = {:.0f} mm on the flat blank", where,
                                         1e3 * centre.x, 1e3 * centre.y);
-  const std::string of = fmt::format("the locking angle of {:.3g}°{}", limit,
-                                     is_default ? " (the default: typical of twills, not measured on this sheet)" : "");
+  const std::string of =
+      fmt::format("the locking angle of {:.3g}°{}", limit,
+                  is_default ? " (the default: typical of twills, not measured on this sheet)" : "");
   const bool specimen = run.run_case->tools.empty(); // sheared past locking on purpose
   if (most > limit)
     return {specimen ? Grade::watch : Grade::bad,
@@ -85,23 +87,25 @@ std::vector<Finding> verdict(const RunRecord& run)
     gate(list, 100.0 * run.figure("energy_error"), 100.0 * gates.energy_error,
          "The account of energies is off by", "%", " of the external work");
     if (!run.run_case->tools.empty())
-      gate(list, run.figure("penetration_max_mm"), 1e3 * gates.penetration,
-         "The sheet went at most", "mm", " into a tool");
+      gate(list, run.figure("penetration_max_mm"), 1e3 * gates.penetration, "The sheet went at most", "mm",
+           " into a tool");
     gate(list, 100.0 * run.figure("fibre_strain_p99"), 100.0 * gates.yarn_strain,
          "In 99 % of the elements yarns strain by at most", "%", "");
   }
   if (const double kinetic = run.figure("kinetic_to_internal_max"); kinetic > 0.0) // 0: not that far
-    list.push_back({kinetic > inertia_matters ? Grade::watch : Grade::good,
-                    fmt::format("In the second half of the run kinetic energy reached {:.1f} % of internal and "
-                                "dissipated energy: {}.",
-                                100.0 * kinetic,
-                                kinetic > inertia_matters ? "inertia shapes the answer, as it does in a fast press"
-                                                          : "inertia hardly matters")});
+    list.push_back(
+        {kinetic > inertia_matters ? Grade::watch : Grade::good,
+         fmt::format("In the second half of the run kinetic energy reached {:.1f} % of internal and "
+                     "dissipated energy: {}.",
+                     100.0 * kinetic,
+                     kinetic > inertia_matters ? "inertia shapes the answer, as it does in a fast press"
+                                               : "inertia hardly matters")});
   if (const double hidden = run.figure("fibre_compression_over_half_percent"); hidden > compression_matters)
-    list.push_back({Grade::watch,
-                    fmt::format("{:.1f} % of the elements shorten their yarns by more than 0.5 % (up to {:.1f} %), "
-                                "where a real sheet buckles: look at yarn strain, curvature and clearance.",
-                                100.0 * hidden, 100.0 * run.figure("fibre_compression_max"))});
+    list.push_back(
+        {Grade::watch,
+         fmt::format("{:.1f} % of the elements shorten their yarns by more than 0.5 % (up to {:.1f} %), "
+                     "where a real sheet buckles: look at yarn strain, curvature and clearance.",
+                     100.0 * hidden, 100.0 * run.figure("fibre_compression_max"))});
   return list;
 }
 

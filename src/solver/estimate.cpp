@@ -18,7 +18,8 @@ constexpr double memory_alone = 60e6, memory_element = 1200.0; // [bytes]
 std::string shown_time(double seconds)
 {
   if (seconds < 100.0) return fmt::format("{:.0f} s", std::max(1.0, seconds));
-  return seconds < 6000.0 ? fmt::format("{:.0f} min", seconds / 60.0) : fmt::format("{:.1f} h", seconds / 3600.0);
+  return seconds < 6000.0 ? fmt::format("{:.0f} min", seconds / 60.0)
+                          : fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
 } // namespace
@@ -33,9 +34,10 @@ RunEstimate estimate(const Case& c, const Model& model, int threads)
 
 std::string estimate_text(const RunEstimate& e)
 {
-  return fmt::format("estimate: {} of wall time, {:.0f} MB of memory; contact, the machine and what else it does "
-                     "decide\n",
-                     shown_time(e.wall_time), 1e-6 * e.memory);
+  return fmt::format(
+      "estimate: {} of wall time, {:.0f} MB of memory; contact, the machine and what else it does "
+      "decide\n",
+      shown_time(e.wall_time), 1e-6 * e.memory);
 }
 
 } // namespace towform

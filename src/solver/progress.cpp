@@ -43,8 +43,8 @@ std::string duration(double seconds)
 
 nlohmann::ordered_json json_of(const char* event, const ProgressState& s)
 {
-  nlohmann::ordered_json json{{"event", event}, {"time_s", s.time}, {"end_s", s.end}, {"fraction", s.fraction()},
-                              {"step", s.step}, {"dt_s", s.dt}};
+  nlohmann::ordered_json json{{"event", event},           {"time_s", s.time}, {"end_s", s.end},
+                              {"fraction", s.fraction()}, {"step", s.step},   {"dt_s", s.dt}};
   if (s.element) json["dt_element"] = *s.element;
   json["energy_error"] = s.energy_error;
   json["shear_angle_max_deg"] = s.shear_max;
@@ -64,7 +64,8 @@ Progress::Progress(const std::filesystem::path& directory, ProgressStyle style, 
       shown_(start_)
 {
   try {
-    auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>((directory / "run.log").string(), !goes_on);
+    auto file =
+        std::make_shared<spdlog::sinks::basic_file_sink_st>((directory / "run.log").string(), !goes_on);
     file->set_pattern("%Y-%m-%d %H:%M:%S  %v");
     log_ = std::make_shared<spdlog::logger>("run", file);
   } catch (const spdlog::spdlog_ex& e) {

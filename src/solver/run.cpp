@@ -65,8 +65,13 @@ private:
   {
     const State& sheet = run_.system.sheet;
     const Summary& summary = run_.record.summary;
-    return {sheet.time,  case_.time.end,      sheet.step,           run_.stride.dt > 0.0 ? run_.stride.dt : sheet.last_dt,
-            limiting_, summary.energy_error, summary.shear_angle_max_deg};
+    return {sheet.time,
+            case_.time.end,
+            sheet.step,
+            run_.stride.dt > 0.0 ? run_.stride.dt : sheet.last_dt,
+            limiting_,
+            summary.energy_error,
+            summary.shear_angle_max_deg};
   }
   [[nodiscard]] std::string headline() const override
   {

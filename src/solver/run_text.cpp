@@ -55,8 +55,8 @@ std::string closing(const Summary& s, const std::filesystem::path& directory)
       "  yarn strain    {:9.2f} %     99 % of the elements below {:.2f} %\n"
       "{}{}wrote {}",
       s.status, s.wall_time_s, s.steps, s.ns_per_element_step, phases, s.shear_angle_max_deg,
-      s.shear_angle_p99_deg, s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm,
-      s.punch_force_max_N, 100.0 * s.energy_error, 100.0 * s.kinetic_to_internal_max, s.penetration_max_mm,
+      s.shear_angle_p99_deg, s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm, s.punch_force_max_N,
+      100.0 * s.energy_error, 100.0 * s.kinetic_to_internal_max, s.penetration_max_mm,
       100.0 * s.fibre_strain_max, 100.0 * s.fibre_strain_p99, inertia, wrinkles,
       (directory / "results.h5, results.xdmf, history.csv, summary.json, run.log").string());
 }

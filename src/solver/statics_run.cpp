@@ -54,7 +54,12 @@ private:
   [[nodiscard]] Place place() const override { return {run_.sheet.step, run_.sheet.time}; }
   [[nodiscard]] ProgressState progress() const override
   {
-    return {run_.sheet.time,    case_.time.end, run_.sheet.step, run_.sheet.last_dt, std::nullopt, run_.record.summary.energy_error,
+    return {run_.sheet.time,
+            case_.time.end,
+            run_.sheet.step,
+            run_.sheet.last_dt,
+            std::nullopt,
+            run_.record.summary.energy_error,
             run_.record.summary.shear_angle_max_deg};
   }
   [[nodiscard]] std::string headline() const override { return headline_of(case_, problem_); }

@@ -1,5 +1,5 @@
-#include "towform/case_schema.hpp"
 #include "case/key_table.hpp"
+#include "towform/case_schema.hpp"
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
