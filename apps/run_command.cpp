@@ -1,5 +1,7 @@
 #include "run_command.hpp"
 #include "case/units.hpp"
+#include "towform/preview.hpp"
+#include "towform/report.hpp"
 #include "towform/run.hpp"
 #include <csignal>
 #include <fmt/format.h>
@@ -69,13 +71,33 @@ void add_options(CLI::App& command, const std::shared_ptr<RunOptions>& options)
       .add_option("--max-steps", options->controls.max_steps,
                   "stop with a checkpoint after so many steps (exit code 75)")
       ->check(CLI::PositiveNumber);
-  command.add_flag("--quiet", options->quiet, "print nothing but errors");
+  CLI::Option* quiet = command.add_flag("--quiet", options->quiet, "print nothing but errors");
+  command
+      .add_flag("--json-progress", options->json_progress,
+                "print a line of JSON at each output in place of words: time_s, fraction, step, dt_s, ...")
+      ->excludes(quiet);
 }
 
-void report(const RunOutcome& outcome, ExitCode& code)
+/// The page that shows a run which has ended. The results are whole by now: what keeps it from being written
+/// is said, and with code `files` where the run itself ended well.
+void write_page(const RunOptions& options, ExitCode& code)
+{
+  try {
+    const ReportOutcome page = write_report(options.directory);
+    if (options.quiet || options.json_progress) return;
+    for (const std::string& note : page.notes) fmt::print("{}\n", note);
+    fmt::print("wrote {}\n", page.path.string());
+  } catch (const FileError& e) {
+    fmt::print(stderr, "towform: the results are whole, but there is no report: {}\n", e.what());
+    if (code == ExitCode::done) code = ExitCode::files;
+  }
+}
+
+void finish(const RunOutcome& outcome, const RunOptions& options, bool page, ExitCode& code)
 {
   code = outcome.code;
   if (!outcome.summary.message.empty()) fmt::print(stderr, "towform: {}\n", outcome.summary.message);
+  if (page && code != ExitCode::interrupted) write_page(options, code);
 }
 
 void add_run(CLI::App& app, ExitCode& code)
@@ -93,7 +115,8 @@ void add_run(CLI::App& app, ExitCode& code)
     options->controls.signal = &signal_seen;
     if (options->directory.empty())
       options->directory = std::filesystem::path("out") / std::filesystem::path(arguments->path).stem();
-    report(run(arguments->read(), *options), code);
+    const Case c = arguments->read();
+    finish(run(c, *options), *options, c.output.report, code);
   });
 }
 
@@ -108,7 +131,10 @@ void add_resume(CLI::App& app, ExitCode& code)
   command->callback([options, &code] {
     watch_signals();
     options->controls.signal = &signal_seen;
-    report(resume(*options), code);
+    const RunOutcome outcome = resume(*options);
+    const bool was_done = outcome.summary.steps == 0; // nothing was left to do
+    finish(outcome, *options, !was_done && read_case(options->directory / "case.resolved.toml").output.report,
+           code);
   });
 }
 
@@ -116,8 +142,24 @@ void add_check(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("check", "say what run would do, or all that it would reject");
   auto arguments = std::make_shared<CaseArguments>();
+  auto directory = std::make_shared<std::string>();
+  auto force = std::make_shared<bool>(false);
   arguments->add_to(*command);
-  command->callback([arguments] { fmt::print("{}", describe_run(arguments->read())); });
+  CLI::Option* preview =
+      command
+          ->add_option("--preview", *directory,
+                       "write sheet, yarns and tools as they start, with a report, into this directory")
+          ->type_name("DIR");
+  command->add_flag("--force", *force, "replace what an earlier preview or run left there")->needs(preview);
+  command->callback([arguments, directory, force] {
+    const Case c = arguments->read();
+    std::string text = describe_run(c);
+    if (!directory->empty()) {
+      write_preview(c, *directory, *force);
+      text += fmt::format("wrote {}\n", write_report(*directory).path.string());
+    }
+    fmt::print("{}", text);
+  });
 }
 
 } // namespace

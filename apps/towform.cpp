@@ -1,7 +1,10 @@
 #include "case/float_traps.hpp"
 #include "compare_command.hpp"
+#include "init_command.hpp"
+#include "manual_command.hpp"
 #include "material_command.hpp"
 #include "mesh_command.hpp"
+#include "report_command.hpp"
 #include "run_command.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
@@ -38,6 +41,9 @@ int main(int argc, char** argv)
   add_material_command(app);
   add_info(app);
   add_compare_command(app, code);
+  add_report_command(app);
+  add_init_command(app);
+  add_manual_commands(app);
   try {
     app.parse(argc, argv);
     return status(code);

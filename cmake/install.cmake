@@ -3,6 +3,20 @@ install(TARGETS towform towform_options EXPORT towformTargets)
 install(TARGETS towform_program)
 install(DIRECTORY include/towform DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY meshes cases DESTINATION ${CMAKE_INSTALL_DATADIR}/towform)
+# What the program says of itself: man page, completion and schema.
+foreach(paper "towform.1|manual|${CMAKE_INSTALL_MANDIR}/man1" "towform|completion;bash|${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+    "case.schema.json|schema|${CMAKE_INSTALL_DATADIR}/towform")
+  string(REPLACE "|" ";" paper "${paper}")
+  list(GET paper 0 name)
+  list(GET paper -1 place)
+  list(SUBLIST paper 1 -1 words)
+  list(REMOVE_AT words -1)
+  set(file ${PROJECT_BINARY_DIR}/papers/${name})
+  add_custom_command(TARGET towform_program POST_BUILD
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_BINARY_DIR}/papers
+    COMMAND $<TARGET_FILE:towform_program> ${words} > ${file} VERBATIM)
+  install(FILES ${file} DESTINATION ${place})
+endforeach()
 install(EXPORT towformTargets NAMESPACE towform:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform)
 configure_package_config_file(cmake/towformConfig.cmake.in ${PROJECT_BINARY_DIR}/towformConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform)

@@ -84,6 +84,17 @@ struct OutputParameters {
   int frames = 30;   ///< after the initial one
   int history = 200; ///< rows of history.csv after the initial one
   double checkpoint = 300.0; ///< wall time between checkpoints [s]; 0: only when the run is interrupted
+  bool report = true;        ///< write report.html when the run ends
+};
+
+/// What a report judges and compares by; nothing of it acts on a run.
+struct ReportParameters {
+  double locking_angle = 0.0;         ///< shear above which the sheet is taken to wrinkle [rad]
+  std::filesystem::path reference;    ///< found file of points to draw over the sheet's; empty without
+  std::string where, columns;         ///< choices from it, as `towform compare` takes them, between commas
+  std::vector<double> from, to;       ///< x, y of a section's ends, or empty [m]
+  std::optional<Vec3> centre;         ///< of the sphere on which polar angles are counted [m]
+  bool mirror = false, nodal = false; ///< as for `towform compare`
 };
 
 /// Explicit dynamics, or quasi-static equilibrium by Newton's method.
@@ -104,6 +115,7 @@ struct Case {
   ContactParameters contact;
   GateParameters gates;
   OutputParameters output;
+  ReportParameters report;
   std::map<std::string, SourceLocation> locations; ///< of every key given, as "blank.size", "tool[0].mesh"
 
   /// Where a key was given; where its table or the file is when it was not.

@@ -85,6 +85,8 @@ private:
     Target target{c_};
     read_keys(section, table == nullptr ? nothing : *table, target, section);
     if (section == "material" && !c_.material.curves.empty()) read_curves_name();
+    if (section == "report" && !c_.report.reference.empty())
+      find(c_.report.reference, "report.reference", "report.reference");
     if (section == "blank" && !c_.blank.mesh.empty()) find(c_.blank.mesh, "blank.mesh", "blank.mesh");
   }
 

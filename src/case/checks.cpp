@@ -252,6 +252,13 @@ struct Checker {
                       c.contact.damping, c.contact.penalty, most));
   }
 
+  void report() const
+  {
+    for (const auto& [key, point] : {std::pair{"report.from", &c.report.from}, {"report.to", &c.report.to}})
+      if (given(key) && !unread(key) && point->size() != 2)
+        issue(key, fmt::format("{} must be [x, y], such as [0, \"100 mm\"]", key));
+  }
+
   /// Two grips must not pull a node two ways.
   void same_nodes(std::size_t i, std::size_t j) const
   {
@@ -280,6 +287,7 @@ void check_case(const Case& c, std::vector<InputIssue>& issues)
   checker.material();
   checker.load();
   checker.contact();
+  checker.report();
   std::set<std::string> names;
   for (std::size_t i = 0; i < c.tools.size(); ++i) checker.tool(i, names);
   for (std::size_t i = 0; i < c.boundaries.size(); ++i) checker.boundary(i, names);

@@ -177,6 +177,17 @@ std::vector<Row> all_rows()
     {"output.frames", AT(c.output.frames), D::none, "30", "1 .. 100000", "in results.h5 after the initial one"},
     {"output.history", AT(c.output.history), D::none, "200", "1 .. 1000000", "rows of history.csv after the initial one"},
     {"output.checkpoint", AT(c.output.checkpoint), D::time, "5 min", ">= 0", "wall time between checkpoints; 0: only when the run is interrupted"},
+    {"output.report", AT(c.output.report), D::none, "true", "", "write report.html when the run ends"},
+
+    {"report.locking_angle", AT(c.report.locking_angle), D::angle, "60 deg", "> 0 deg, < 90 deg", "shear above which the report takes the sheet to wrinkle; the default is typical of twills, not measured on this sheet"},
+    {"report.reference", AT(c.report.reference), D::none, optional, "", "CSV file of published, exact or measured points to draw over the sheet's own, looked for as a tool's mesh is; its columns as for towform compare"},
+    {"report.where", AT(c.report.where), D::none, "\"\"", "", "rows of the reference to take, as \"layup=0/90\"; more than one condition between commas", "report.reference"},
+    {"report.columns", AT(c.report.columns), D::none, "\"\"", "", "columns of the reference to take, as \"x=y_mm, y=x_mm\"", "report.reference"},
+    {"report.from", AT(c.report.from), D::length, optional, "", "[x, y] where the section starts, in plan; the middle of the blank without it"},
+    {"report.to", AT(c.report.to), D::length, optional, "", "[x, y] where the section ends; a corner of the blank without it"},
+    {"report.centre", AT(c.report.centre), D::length, optional, "", "of the sphere on which the reference counts polar angles", "report.reference"},
+    {"report.mirror", AT(c.report.mirror), D::none, "false", "", "fold points of other quarters into the part that is modelled", "report.reference"},
+    {"report.nodal", AT(c.report.nodal), D::none, "false", "", "compare means at the nodes in place of the elements' own values", "report.reference"},
   };
 }
 // clang-format on

@@ -44,7 +44,7 @@ struct MotionAmount {
 struct MotionTable {};
 
 /// Where a key's value lives, and thereby its type.
-using Binding = std::variant<At<double>, At<std::optional<double>>, At<int>, At<std::optional<int>>,
+using Binding = std::variant<At<bool>, At<double>, At<std::optional<double>>, At<int>, At<std::optional<int>>,
                              At<std::string>, At<std::filesystem::path>, At<Vec2>, At<std::optional<Vec2>>,
                              At<Vec3>, At<std::optional<Vec3>>, Words, MotionAmount, MotionTable,
                              At<std::vector<double>>, At<std::vector<ViscosityPoint>>,

@@ -10,6 +10,7 @@ std::string get_key(const Row& row, Target& target)
   const auto number = [&](double value) { return written(value, row.dimension); };
   return std::visit(
       Overload{
+          [&](At<bool> at) { return std::string(at(target) ? "true" : "false"); },
           [&](At<double> at) { return number(at(target)); },
           [&](At<std::optional<double>> at) { return at(target) ? number(*at(target)) : ""; },
           [&](At<int> at) { return fmt::format("{}", at(target)); },
@@ -88,6 +89,7 @@ std::string type_of(const Row& row)
   std::string name = dimension_name(row.dimension);
   return std::visit(
       Overload{
+          [](At<bool>) { return std::string("true, false"); },
           [&](At<double>) { return std::string(name); },
           [&](At<std::optional<double>>) { return std::string(name); },
           [](At<int>) { return std::string("whole number"); },

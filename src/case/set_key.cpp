@@ -90,6 +90,13 @@ struct Reading {
     return {};
   }
 
+  [[nodiscard]] std::optional<bool> truth(const Value& value) const
+  {
+    if (value.kind == Kind::boolean) return value.boolean;
+    must_be(value, "true or false");
+    return {};
+  }
+
   template <std::size_t N>
   [[nodiscard]] std::optional<std::array<double, N>> reals(const Value& value) const
   {
@@ -291,6 +298,7 @@ void set_key(const Row& row, const Value& value, Target& target, std::vector<Inp
     if (got) place = *got;
   };
   std::visit(Overload{
+                 [&](At<bool> at) { put(at(target), reading.truth(value)); },
                  [&](At<double> at) { put(at(target), reading.real(value, row.dimension)); },
                  [&](At<std::optional<double>> at) { put(at(target), reading.real(value, row.dimension)); },
                  [&](At<int> at) { put(at(target), reading.whole(value)); },

@@ -17,10 +17,11 @@ namespace towform {
 
 namespace {
 
-/// The present stable step, never longer than the first.
-double present_step(const Model& model, const StepBound& bound, const System& s)
+/// The present stable step, never longer than the first; `element` gets one of those that set it.
+double present_step(const Model& model, const StepBound& bound, const System& s, std::optional<int>& element)
 {
   const StableStep stable = bound.at(s.sheet);
+  element = stable.element;
   const double step = std::min(model.first_step, model.step_factor * stable.step);
   constexpr double collapse = 0.05;
   if (!(step > collapse * model.first_step))
@@ -60,6 +61,18 @@ public:
 
 private:
   [[nodiscard]] Place place() const override { return {run_.system.sheet.step, run_.system.sheet.time}; }
+  [[nodiscard]] ProgressState progress() const override
+  {
+    const State& sheet = run_.system.sheet;
+    const Summary& summary = run_.record.summary;
+    return {sheet.time,
+            case_.time.end,
+            sheet.step,
+            run_.stride.dt > 0.0 ? run_.stride.dt : sheet.last_dt,
+            limiting_,
+            summary.energy_error,
+            summary.shear_angle_max_deg};
+  }
   [[nodiscard]] std::string headline() const override
   {
     std::string text = towform::headline(case_, model_) + '\n' + mesh_warnings(case_, model_);
@@ -104,15 +117,16 @@ private:
         if (--stride.steps_left == 0 && stride.arrives) s.sheet.time = time;
         if (session_.stops_after(s.sheet.step, s.sheet.time)) return false;
       }
-      session_.progress().update(s.sheet.time / case_.time.end);
+      session_.progress().update(progress());
       if (stride.arrives) return true;
-      stride = next_stride(time, present_step(model_, bound_, s), s.sheet.time);
+      stride = next_stride(time, present_step(model_, bound_, s, limiting_), s.sheet.time);
       run_.phases.mark(Phase::stable_step);
     }
   }
 
   Model model_;
   StepBound bound_;
+  std::optional<int> limiting_; ///< element of the step at the last look
   RunState run_;
   std::optional<Recorder> recorder_;
 };

@@ -1,5 +1,6 @@
 #include "solver/run_text.hpp"
 #include "parallel/parallel.hpp"
+#include "solver/estimate.hpp"
 #include "solver/mesh_warnings.hpp"
 #include "solver/statics_run.hpp"
 #include <cmath>
@@ -45,12 +46,18 @@ std::string closing(const Summary& s, const std::filesystem::path& directory)
                            100.0 * s.fibre_compression_over_half_percent, 100.0 * s.fibre_compression_max);
   return fmt::format(
       "{} in {:.2f} s: {} steps, {:.1f} ns per element-step (s:{})\n"
-      "shear max {:.1f} deg, draw-in {:.1f} / {:.1f} / {:.1f} mm (x / y / corner), punch {:.1f} N, "
-      "energy error {:.2f} %, penetration {:.3f} mm, yarn strain p99 {:.2f} %\n"
+      "  shear angle    {:9.1f} deg   99 % of the elements below {:.1f} deg\n"
+      "  draw-in x      {:9.1f} mm    y {:.1f} mm, corner {:.1f} mm\n"
+      "  driving force  {:9.1f} N     the largest\n"
+      "  energy error   {:9.2f} %     of the external work\n"
+      "  kinetic energy {:9.1f} %     of internal and dissipated, the largest in the second half\n"
+      "  penetration    {:9.3f} mm    the deepest\n"
+      "  yarn strain    {:9.2f} %     99 % of the elements below {:.2f} %\n"
       "{}{}wrote {}",
       s.status, s.wall_time_s, s.steps, s.ns_per_element_step, phases, s.shear_angle_max_deg,
-      s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm, s.punch_force_max_N,
-      100.0 * s.energy_error, s.penetration_max_mm, 100.0 * s.fibre_strain_p99, inertia, wrinkles,
+      s.shear_angle_p99_deg, s.draw_in_x_mid_mm, s.draw_in_y_mid_mm, s.draw_in_corner_mm, s.punch_force_max_N,
+      100.0 * s.energy_error, 100.0 * s.kinetic_to_internal_max, s.penetration_max_mm,
+      100.0 * s.fibre_strain_max, 100.0 * s.fibre_strain_p99, inertia, wrinkles,
       (directory / "results.h5, results.xdmf, history.csv, summary.json, run.log").string());
 }
 
@@ -65,6 +72,7 @@ std::string describe_run(const Case& c)
                       1e3 * model.mirror_factor * std::accumulate(model.mass.begin(), model.mass.end(), 0.0),
                       100.0 * model.added_mass_fraction, direction(model.blank.warp),
                       direction(model.blank.weft), 100.0 * model.material.curves->fit_error);
+  text += estimate_text(estimate(c, model, threads()));
   text += mesh_warnings(c, model);
   for (const Bending& bending : model.bending)
     text += fmt::format("bending stiffness {:.3g} / {:.3g} mN m (warp / weft{})\n",

@@ -47,7 +47,10 @@ void Session::begin(Record& record, std::function<void(FieldVisitor&)> state)
     remove_checkpoints(options_.directory);
   }
   wall_before_ = record.summary.wall_time_s;
-  progress_ = std::make_unique<Progress>(options_.directory, options_.quiet, resumes_);
+  const ProgressStyle style = options_.json_progress ? ProgressStyle::json
+                              : options_.quiet       ? ProgressStyle::quiet
+                                                     : ProgressStyle::words;
+  progress_ = std::make_unique<Progress>(options_.directory, style, resumes_);
   for (const std::string& line : lines) progress_->line(line);
   interruption_ =
       std::make_unique<Interruption>(options_.controls, c_.output.checkpoint, record.summary.steps);

@@ -39,6 +39,7 @@ RunOutcome SessionRun::go()
   close();
   if (outcome.code == ExitCode::done) session_.done();
   session_.progress().line(closing());
+  session_.progress().end(progress(), summary.status, summary.message);
   outcome.summary = summary;
   return outcome;
 }
@@ -69,6 +70,7 @@ void SessionRun::output(bool frame)
     write_history();
     if (frame) write_frame();
   });
+  session_.progress().output(progress());
   written();
 }
 

@@ -21,6 +21,7 @@ protected:
     double time; ///< [s]
   };
   [[nodiscard]] virtual Place place() const = 0;
+  [[nodiscard]] virtual ProgressState progress() const = 0;
   [[nodiscard]] virtual std::string headline() const = 0;
   [[nodiscard]] virtual std::string closing() const = 0;
   /// Steps up to the time of an output; false when the session is to stop.

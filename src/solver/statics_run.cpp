@@ -52,6 +52,16 @@ public:
 
 private:
   [[nodiscard]] Place place() const override { return {run_.sheet.step, run_.sheet.time}; }
+  [[nodiscard]] ProgressState progress() const override
+  {
+    return {run_.sheet.time,
+            case_.time.end,
+            run_.sheet.step,
+            run_.sheet.last_dt,
+            std::nullopt,
+            run_.record.summary.energy_error,
+            run_.record.summary.shear_angle_max_deg};
+  }
   [[nodiscard]] std::string headline() const override { return headline_of(case_, problem_); }
   [[nodiscard]] std::string closing() const override
   {
@@ -78,7 +88,7 @@ private:
     try {
       increments_.advance_to(time, problem_.model, run_.sheet, [&](const NewtonReport& report) {
         recorder_->watch(run_.sheet, report);
-        session_.progress().update(run_.sheet.time / case_.time.end);
+        session_.progress().update(progress());
         run_.stepping += seconds_since(before);
         before = Clock::now();
         run_.next_increment = increments_.next();

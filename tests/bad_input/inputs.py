@@ -177,6 +177,12 @@ CASES = {
     "penalty_zero": with_lines("[contact]", "penalty = 0"),
     "penalty_beyond_the_limit": with_lines("[contact]", "penalty = 10"),
     "gate_negative": with_lines("[gates]", 'penetration = "-1 mm"'),
+    "report_as_text": with_lines('report = "yes"'),
+    "locking_angle_square": with_lines("[report]", 'locking_angle = "90 deg"'),
+    "reference_not_there": with_lines("[report]", 'reference = "measured.csv"'),
+    "section_of_one_number": with_lines("[report]", 'from = ["1 mm"]'),
+    "where_without_reference": with_lines("[report]", 'where = "layup=A"'),
+    "report_key_misspelt": with_lines("[report]", 'locking_angel = "50 deg"'),
     "gravity_nan": with_lines("[load]", "gravity = [0, 0, nan]"),
     "gravity_in_the_plane_only": with_lines("[load]", "gravity = [0, -9.81]"),
     # material
@@ -346,4 +352,8 @@ CASES["info_of_nothing"] = {}, ("info", "none.h5")
 CASES["info_of_a_text"] = {"a.h5": b"not HDF5"}, ("info", "a.h5")
 CASES["info_of_a_signature"] = {"a.h5": b"\x89HDF\r\n\x1a\n" + b"\0" * 500}, ("info", "a.h5")
 CASES["info_of_a_folder"] = {"a.h5/x": b""}, ("info", "a.h5")
+CASES["report_of_a_text"] = {"a/results.h5": b"not HDF5"}, ("report", "a")
+CASES["report_of_a_file"] = {"results.h5": b"not HDF5"}, ("report", "results.h5")
+CASES["preview_into_a_file"] = {"case.toml": BASE.encode(), "look": b"mine"}, (*CHECK, "--preview", "look")
+CASES["init_into_a_file"] = {"mine": b"mine"}, ("init", "mine")
 CASES["compare_with_a_text_for_results"] = {"a.h5": b"not HDF5", "b.csv": b"x_mm,y_mm\n"}, ("compare", "a.h5", "b.csv")

@@ -179,7 +179,8 @@ class GoodRun(Program):
         self.assertEqual(done.stderr, "")
         self.assertIn(str(self.out), done.stdout)  # says what it wrote
         self.assertEqual({p.name for p in self.out.iterdir()},
-                         {"results.h5", "results.xdmf", "history.csv", "summary.json", "case.resolved.toml", "run.log"})
+                         {"results.h5", "results.xdmf", "history.csv", "summary.json", "case.resolved.toml", "run.log",
+                          "report.html"})
         self.check_history()
         self.check_summary()
         self.check_results()
