@@ -116,8 +116,15 @@ void add_check(CLI::App& app)
 {
   CLI::App* command = app.add_subcommand("check", "say what run would do, or all that it would reject");
   auto arguments = std::make_shared<CaseArguments>();
+  auto resolved = std::make_shared<bool>(false);
   arguments->add_to(*command);
-  command->callback([arguments] { fmt::print("{}", describe_run(arguments->read())); });
+  command->add_flag("--resolved", *resolved,
+                    "print the case with every key and the full paths of its files instead, as run reads it");
+  command->callback([arguments, resolved] {
+    const Case c = arguments->read();
+    const std::string description = describe_run(c);
+    fmt::print("{}", *resolved ? resolved_case(c) : description);
+  });
 }
 
 } // namespace

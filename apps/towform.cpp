@@ -2,6 +2,7 @@
 #include "material_command.hpp"
 #include "mesh_command.hpp"
 #include "run_command.hpp"
+#include "study_command.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
 #include "version.hpp"
@@ -36,6 +37,7 @@ int main(int argc, char** argv)
   add_material_command(app);
   add_info(app);
   add_compare_command(app, code);
+  add_study_command(app);
   try {
     app.parse(argc, argv);
     return status(code);
