@@ -74,7 +74,10 @@ def measures_of(outcome):
         return "sobol", outcome.parameters, [(r, [("first order", f), ("total", t)]) for r, (f, t) in found]
     x = np.array([outcome.values(p) for p in varied], float).T
     found = [(r, rank_correlations(x, outcome.numbers(r.name), manifest.seed)) for r in responses]
-    return "rank", varied, [(r, [("Spearman", s), ("partial rank", p)]) for r, (s, p) in found]
+    found = [(r, [(name, estimates) for name, estimates in zip(("Spearman", "partial rank"), pair)
+                  if any(np.isfinite(e.value) for e in estimates)]) for r, pair in found]
+    found = [(r, pair) for r, pair in found if pair]  # too few runs say nothing
+    return ("rank", varied, found) if found else None
 
 
 def write_report(manifest):
@@ -87,10 +90,9 @@ def write_report(manifest):
     two = [p for p in outcome.parameters if p.quantitative]
     pictures = {}
     if any_done:
-        if manifest.method == "grid" and len(two) == len(outcome.parameters) == 2:
-            pictures["responses"] = figures.families(outcome)
-        else:
-            pictures["responses"] = figures.against_parameters(outcome)
+        family = manifest.method == "grid" and len(two) == len(outcome.parameters) == 2
+        pictures["responses"] = figures.families(outcome) if family else figures.against_parameters(outcome)
+        pictures["coloured"] = not family and bool(outcome.goals or any(r.limits() for r in outcome.responses))
         if measures:
             pictures["sensitivities"] = figures.sensitivities(
                 [p.label for p in measures[1]], [(r.label, pair) for r, pair in measures[2]])
