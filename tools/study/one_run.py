@@ -49,7 +49,8 @@ class Run:
         libc = ctypes.CDLL(None)
         note(self.directory, starts=words[1])
         self.child = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-                                      text=True, preexec_fn=lambda: libc.prctl(PR_SET_PDEATHSIG, signal.SIGTERM))
+                                      text=True, start_new_session=True,  # signals come by way of this process
+                                      preexec_fn=lambda: libc.prctl(PR_SET_PDEATHSIG, signal.SIGTERM))
         if self.signals:  # came before the child was there
             self.child.send_signal(signal.SIGTERM)
         said = self.child.communicate()[1]

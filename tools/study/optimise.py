@@ -59,7 +59,7 @@ def propose(study, runs, manifest, batch, wanted):
         warnings.simplefilter("ignore")  # of what Optuna calls experimental
         sampler = optuna.samplers.TPESampler(seed=study.optimise.seed + batch, multivariate=True, constant_liar=True,
                                              n_startup_trials=0, constraints_func=lambda trial: trial.user_attrs["excess"])
-        search = optuna.create_study(direction=goal.goal, sampler=sampler)
+        search = optuna.create_study(direction=goal.goal.replace("ise", "ize"), sampler=sampler)
         for row, value, excess in _known(study, runs, manifest):
             search.add_trial(optuna.trial.create_trial(
                 params={p.name: _position(p, row[p.name]) for p in study.parameters}, distributions=space, value=value,

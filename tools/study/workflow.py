@@ -25,8 +25,9 @@ STUDY = {command!r}
 
 localrules: all, table, report
 
+# The runs are named too: a study that was stopped has a table and a report of what it had.
 rule all:
-    input: "report.html"
+    input: expand("runs/{{run}}/ended", run=RUNS), "report.html"
 
 # Ends well however the run ended, unless it was interrupted: then it is tried again, from its checkpoint.
 rule run:
