@@ -103,7 +103,7 @@ class Campaign:
         self.manifest.write()
         counts = Counter(self.state_of(run) for run in self.manifest.runs)
         self.say(f"{self.study.title}: {len(self.manifest.runs)} runs: " + ", ".join(f"{n} {name}" for name, n in counts.items()))
-        return run_all(self.manifest, self.held, self.profile, self.jobs, self.quiet)
+        return 0 if self.all_ended() else run_all(self.manifest, self.held, self.profile, self.jobs, self.quiet)
 
     def _forget_failures(self):
         for run in self.manifest.runs:
@@ -116,7 +116,9 @@ class Campaign:
         from .report import write_report
         from .table import write_table
         manifest, directory = self.manifest, self.directory
-        if code or not (directory / "report.html").exists() or not self.all_ended():
+        table, page = directory / "table.csv", directory / "report.html"
+        newest = max(path.stat().st_mtime for path in [directory / "manifest.json", *directory.glob("runs/*/status.json")])
+        if not page.exists() or page.stat().st_mtime < table.stat().st_mtime or table.stat().st_mtime < newest or not self.all_ended():
             write_table(manifest)
             write_report(manifest)
         states = {run.name: self.state_of(run) for run in manifest.runs}

@@ -50,17 +50,11 @@ def _resolve(program, study, values):
 def resolved_cases(program, study, rows, progress):
     """The text of every row's case. Raises Refused with everything that towform says against any of them."""
     problems, others, codes, texts = Problems(str(study.path)), [], set(), []
-    overrides_fail = False
     for row in rows:
-        try:
-            study.overrides(row)
-        except ValueError as e:
+        for derived, message in study.without_value(row):
             shown = ", ".join(f"{p.name} = {p.shown(row[p.name])}" for p in study.parameters)
-            at = next((d.at for d in study.derived if _fails(d, study, row)), None)
-            problems.add(at, f"formula: {e} ({shown})")
-            overrides_fail = True
-    if overrides_fail:
-        problems.refuse()
+            problems.add(derived.at, f"formula: {derived.key} {message} ({shown})")
+    problems.refuse()
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         for number, (text, found, code) in enumerate(pool.map(lambda row: _resolve(program, study, row), rows), 1):
             progress(number, len(rows))
@@ -81,14 +75,6 @@ def resolved_cases(program, study, rows, progress):
         raise Refused(messages + others, CASE_FILE if CASE_FILE in codes else max(codes))
     _check_history(study, texts[0])
     return texts
-
-
-def _fails(derived, study, row):
-    try:
-        derived.setting({p.name: row[p.name] for p in study.parameters if p.quantitative})
-    except ValueError:
-        return True
-    return False
 
 
 def _check_history(study, text):

@@ -140,6 +140,16 @@ class Study:
     def goals(self):
         return [response for response in self.responses if response.goal]
 
+    def without_value(self, values):
+        """[(Derived, why)] that have no value with these parameter values."""
+        numbers, found = {p.name: values[p.name] for p in self.parameters if p.quantitative}, []
+        for derived in self.derived:
+            try:
+                derived.setting(numbers)
+            except ValueError as e:
+                found.append((derived, str(e)))
+        return found
+
     def overrides(self, values):
         """[(key=value, place in the study file)] of a run with these parameter values, {name: value}."""
         numbers = {p.name: values[p.name] for p in self.parameters if p.quantitative}
