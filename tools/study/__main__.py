@@ -1,7 +1,6 @@
 """study PROGRAM STUDY.toml [options]: what `towform study` starts."""
 
 import argparse
-import fcntl
 import importlib.util
 import sys
 from pathlib import Path
@@ -19,23 +18,6 @@ def require(modules, what):
     if missing:
         raise Refused(f"towform: {what} needs Debian packages that are not there: "
                       f"apt-get install --no-install-recommends {' '.join(missing)}", FILES)
-
-
-def hold(directory):
-    """The locked file of a directory that is ours or made now. Raises Refused."""
-    if directory.exists() and not directory.is_dir():
-        raise Refused(f"towform: {directory}: is a file", FILES)
-    if directory.exists() and any(directory.iterdir()) and not (directory / ".study.lock").exists():
-        raise Refused(f"towform: {directory}: is there and not of a study; -o takes another directory", FILES)
-    try:
-        directory.mkdir(parents=True, exist_ok=True)
-        file = open(directory / ".study.lock", "a")
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise Refused(f"towform: {directory}: is in use by another `towform study`", FILES) from None
-    except OSError as e:
-        raise Refused(f"towform: {directory}: cannot be written: {e.strerror}", FILES) from None
-    return file
 
 
 def parsed(words):
@@ -60,10 +42,8 @@ def main(words):
         if study.optimise:
             require(NEEDED_TO_OPTIMISE, "[optimise]")
         directory = arguments.output or Path("out") / arguments.study.stem
-        if arguments.dry_run:
-            return Campaign(study, arguments, directory.resolve(), None).plan()
-        with hold(directory) as held:
-            return Campaign(study, arguments, directory.resolve(), held).go()
+        campaign = Campaign(study, arguments, directory.resolve())
+        return campaign.plan() if arguments.dry_run else campaign.go()
     except Refused as refused:
         print("\n".join(refused.messages), file=sys.stderr)
         return refused.code

@@ -5,7 +5,7 @@ from collections import Counter
 
 from .cases import fingerprint, resolved_cases
 from .files import read_json, replace_file
-from .manifest import Manifest, digest_of
+from .manifest import Manifest, digest_of, hold
 from .one_run import can_resume
 from .problems import DONE, FILES, Refused
 from .sampling import rows_of
@@ -13,10 +13,12 @@ from .workflow import profile_folder, run_all
 
 
 class Campaign:
-    def __init__(self, study, arguments, directory, held):
-        self.study, self.program, self.directory, self.held = study, arguments.program, directory, held
+    def __init__(self, study, arguments, directory):
+        self.study, self.program, self.directory = study, arguments.program, directory
         self.force, self.retry, self.quiet, self.jobs = arguments.force, arguments.retry_failed, arguments.quiet, arguments.jobs
         self.profile = profile_folder(arguments.profile) if arguments.profile else None
+        # A directory that is not there yet is made when everything was found right.
+        self.held = hold(directory) if directory.exists() and not arguments.dry_run else None
         self.manifest = Manifest.read(directory) or Manifest(directory)
 
     def say(self, text):
@@ -96,6 +98,7 @@ class Campaign:
 
     def begin(self):
         """Everything was found right: the directory becomes this study's."""
+        self.held = self.held or hold(self.directory)
         self.manifest.describe(self.program, self.study)
         replace_file(self.directory / "study.toml", self.study.text)
 

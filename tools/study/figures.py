@@ -9,7 +9,7 @@ import matplotlib
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-from matplotlib.ticker import MaxNLocator, NullFormatter, ScalarFormatter  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter  # noqa: E402
 
 STYLE = {"svg.fonttype": "none", "svg.hashsalt": "towform", "font.family": "sans-serif", "font.size": 9, "axes.spines.top": False,
          "axes.spines.right": False, "axes.edgecolor": "#8a93a0", "axes.labelcolor": "#333c47", "xtick.color": "#5b6572",
@@ -52,7 +52,9 @@ def _parameter_axis(axes, parameter, values):
             ticks = present if len(present) <= 8 else None
             if ticks is not None:
                 axes.set_xticks(ticks)
-            axes.xaxis.set_major_formatter(ScalarFormatter())
+            elif present.max() / present.min() < 300:
+                axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
             axes.xaxis.set_minor_formatter(NullFormatter())
         else:
             axes.xaxis.set_major_locator(MaxNLocator(5))
@@ -191,7 +193,7 @@ def search(study):
     axes.axvspan(0.5, spread + 0.5, color="#f1f3f6", zorder=0, label="spread over the ranges")
     axes.set_xlim(0.5, len(order) + 0.5)
     axes.set_xlabel("run")
-    axes.set_ylabel(goal.heading)
+    axes.set_ylabel(_wrapped(goal.heading))
     axes.legend(fontsize=8)
     figure.tight_layout()
     return _svg(figure, study.tips)

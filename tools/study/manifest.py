@@ -1,5 +1,6 @@
 """manifest.json: what a study's directory holds, enough to gather its results without the study file."""
 
+import fcntl
 import hashlib
 import shutil
 from dataclasses import asdict, dataclass, field
@@ -102,3 +103,20 @@ class Manifest:
 
 def digest_of(study):
     return hashlib.sha256(study.text.encode()).hexdigest()
+
+
+def hold(directory):
+    """The locked file of a directory that is ours or made now. Raises Refused."""
+    if directory.exists() and not directory.is_dir():
+        raise Refused(f"towform: {directory}: is a file", FILES)
+    if directory.exists() and any(directory.iterdir()) and not (directory / ".study.lock").exists():
+        raise Refused(f"towform: {directory}: is there and not of a study; -o takes another directory", FILES)
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        file = open(directory / ".study.lock", "a")
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise Refused(f"towform: {directory}: is in use by another `towform study`", FILES) from None
+    except OSError as e:
+        raise Refused(f"towform: {directory}: cannot be written: {e.strerror}", FILES) from None
+    return file

@@ -74,7 +74,7 @@ class Run:
         else:
             code, said = self.fresh()
         if code == INTERRUPTED or (code < 0 and (self.signals or not self.last)):
-            print(f"{self.directory}: {said or 'killed by ' + signal.Signals(-code).name}", file=sys.stderr)
+            print(f"{self.directory}: {said or (f'killed by {signal.Signals(-code).name}' if code < 0 else 'interrupted')}", file=sys.stderr)
             return INTERRUPTED
         reason = reason_of(code, said)
         replace_json(self.directory / "status.json",

@@ -3,15 +3,19 @@
 Sobol's indices from a Saltelli sample: the first-order index is the part of the response's variance that a parameter
 explains alone, the total index the part that is lost when all others are known (Jansen, Comput. Phys. Commun. 117, 1999;
 Saltelli et al., Comput. Phys. Commun. 181, 2010). Any other sample: Spearman's rank correlation, and the partial rank
-correlation, which takes the other parameters' part away first. Intervals are percentiles of bootstrap samples.
+correlation, which takes the other parameters' part away first. Intervals come from bootstrap samples: of indices their
+percentiles, of correlations from their standard error after Fisher's transformation, since repeated rows make ties, and
+those bias a correlation near 1.
 """
 
+import warnings
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.stats import rankdata
 
 BOOTSTRAPS, CONFIDENCE = 1000, 0.95
+_NEARLY_ONE = 1.0 - 1e-6  # correlation beyond which Fisher's transformation is of no use
 _CONSTANT = 1e-12  # relative spread below which a response does not vary
 
 
@@ -69,7 +73,11 @@ def rank_correlations(x, y, seed=0):
     random = np.random.default_rng(seed)
     value = _ranked(x, y, partial_too)
     spread = np.stack([_ranked(x[pick], y[pick], partial_too) for pick in random.integers(0, len(y), (BOOTSTRAPS, len(y)))])
-    low, high = _interval(spread)
+    z = np.arctanh(np.clip(value, -_NEARLY_ONE, _NEARLY_ONE))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)  # of what is NaN throughout
+        error = 1.96 * np.nanstd(np.arctanh(np.clip(spread, -_NEARLY_ONE, _NEARLY_ONE)), axis=0)
+    low, high = np.minimum(np.tanh(z - error), value), np.maximum(np.tanh(z + error), value)
     spearman, partial = ([Estimate(value[k, i], low[k, i], high[k, i]) for i in range(d)] for k in range(2))
     return spearman, partial
 
