@@ -37,10 +37,10 @@ def _drawn(function):
 
 
 def _points(axes, x, y, colours, urls, size=22):
-    order = np.argsort([colour != BEYOND for colour in colours], kind="stable")  # the good ones on top
-    for i in order:
-        if np.isfinite(y[i]):
-            axes.scatter([x[i]], [y[i]], s=size, c=[colours[i]], linewidths=0.4, edgecolors="white", zorder=3).set_urls([urls[i]])
+    order = [i for i in np.argsort([colour != BEYOND for colour in colours], kind="stable") if np.isfinite(y[i])]  # good ones on top
+    if order:
+        axes.scatter(x[order], y[order], s=size, c=[colours[i] for i in order], linewidths=0.4, edgecolors="white",
+                     zorder=3).set_urls([urls[i] for i in order])
 
 
 def _parameter_axis(axes, parameter, values):
@@ -118,8 +118,7 @@ def families(study, chosen=None):
             if not here:
                 continue
             axes.plot(x[here], y[here], "-", color=colour, lw=1.5, label=name)
-            for i in here:
-                axes.scatter([x[i]], [y[i]], s=18, color=[colour], zorder=3).set_urls([study.urls[i]])
+            axes.scatter(x[here], y[here], s=18, color=[colour], zorder=3).set_urls([study.urls[i] for i in here])
         axes.set_xlabel(first.heading)
         axes.set_ylabel(_wrapped(response.heading, 32))
     grid[0][0].legend(title=second.label, fontsize=8, title_fontsize=8)

@@ -80,33 +80,36 @@ def measures_of(outcome):
     return ("rank", varied, found) if found else None
 
 
+def pictures_of(outcome, measures, chosen=None):
+    """{what: SVG}: responses (those chosen, by name), sensitivities, pareto and search, where there is something to show."""
+    parameters, method = outcome.parameters, outcome.manifest.method
+    if not outcome.done.any():
+        return {}
+    family = method == "grid" and len(parameters) == 2 and all(p.quantitative for p in parameters)
+    pictures = {"responses": figures.families(outcome, chosen) if family else figures.against_parameters(outcome)}
+    pictures["coloured"] = not family and bool(outcome.goals or any(r.limits() for r in outcome.responses))
+    if measures:
+        pictures["sensitivities"] = figures.sensitivities([p.label for p in measures[1]], [(r.label, pair) for r, pair in measures[2]])
+    if len(outcome.goals) > 1:
+        pictures["pareto"] = figures.pareto(outcome)
+    if method == "optimise":
+        pictures["search"] = figures.search(outcome)
+    return pictures
+
+
 def write_report(manifest):
     outcome = Outcome(manifest)
-    loader = jinja2.FileSystemLoader(Path(__file__).parent)
-    environment = jinja2.Environment(loader=loader, autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    environment.filters["number"] = lambda v: "–" if v is None or v != v else f"{v:.4g}" if isinstance(v, float) else v
     measures = measures_of(outcome)
-    any_done = bool(outcome.done.any())
-    two = [p for p in outcome.parameters if p.quantitative]
-    pictures = {}
-    if any_done:
-        family = manifest.method == "grid" and len(two) == len(outcome.parameters) == 2
-        pictures["responses"] = figures.families(outcome) if family else figures.against_parameters(outcome)
-        pictures["coloured"] = not family and bool(outcome.goals or any(r.limits() for r in outcome.responses))
-        if measures:
-            pictures["sensitivities"] = figures.sensitivities(
-                [p.label for p in measures[1]], [(r.label, pair) for r, pair in measures[2]])
-        if len(outcome.goals) > 1:
-            pictures["pareto"] = figures.pareto(outcome)
-        if manifest.method == "optimise":
-            pictures["search"] = figures.search(outcome)
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(Path(__file__).parent), autoescape=True, trim_blocks=True,
+                                     lstrip_blocks=True)
+    environment.filters["number"] = lambda v: "–" if v is None or v != v else f"{v:.4g}" if isinstance(v, float) else v
     states = outcome.columns["status"].values
     page = environment.get_template("report.html.j2").render(
-        m=manifest, o=outcome, pictures=pictures, measures=measures, ranking=outcome.ranking(),
+        m=manifest, o=outcome, pictures=pictures_of(outcome, measures), measures=measures, ranking=outcome.ranking(),
         count={state: states.count(state) for state in ("done", "failed", "left")},
         failed=[i for i, state in enumerate(states) if state == "failed"],
         missing=[i for i, (state, why) in enumerate(zip(states, outcome.columns["reason"].values)) if state == "done" and why],
-        wall=sum(w for w in outcome.columns["wall_time_s"].values if w), zip=zip,
+        wall=sum(w for w in outcome.columns["wall_time_s"].values if w),
         versions=sorted({v for v in outcome.columns["version"].values if v}),
         limits=[(r.label, r.limits()) for r in outcome.responses if r.limits()],
         study_text=(manifest.directory / "study.toml").read_text())
