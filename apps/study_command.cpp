@@ -71,7 +71,8 @@ void study(const StudyArguments& a)
   }
   const fs::path program = own_path(), tools = tools_folder(program);
   const char* search = std::getenv("PYTHONPATH");
-  const std::string path = search == nullptr || *search == '\0' ? tools.string() : tools.string() + ":" + search;
+  const std::string path =
+      search == nullptr || *search == '\0' ? tools.string() : tools.string() + ":" + search;
   ::setenv("PYTHONPATH", path.c_str(), 1);
   std::vector<std::string> words = {"/usr/bin/python3", "-B", "-m", "study", program.string(), a.study};
   for (std::string& word : a.given()) words.push_back(std::move(word));
@@ -90,17 +91,21 @@ void add_study_command(CLI::App& app)
   CLI::App* command = app.add_subcommand(
       "study", "many runs of a case: parameters varied, responses gathered, sensitivities, the best of them");
   auto a = std::make_shared<StudyArguments>();
-  command->footer("The same command goes on with a study that was stopped; a run that has ended is not run again.\n"
-                  "docs/studies.md explains the study file; cases/studies/ has some to copy.");
+  command->footer(
+      "The same command goes on with a study that was stopped; a run that has ended is not run again.\n"
+      "docs/studies.md explains the study file; cases/studies/ has some to copy.");
   command->add_option("study", a->study, "study file (TOML)")->required()->type_name("STUDY.toml");
   command->add_option("-o,--output", a->directory, "directory of the study (default: out/<study name>)");
   command
       ->add_option("--profile", a->profile,
                    "where runs run, in place of this machine: slurm, or a folder with a profile of Snakemake")
       ->type_name("NAME");
-  command->add_option("--jobs", a->jobs, "runs at the same time (default: cores over threads; 100 with a profile)")
+  command
+      ->add_option("--jobs", a->jobs,
+                   "runs at the same time (default: cores over threads; 100 with a profile)")
       ->check(CLI::Range(1, 100000));
-  command->add_flag("--force", a->force, "let go of earlier runs of the directory that the study no longer has");
+  command->add_flag("--force", a->force,
+                    "let go of earlier runs of the directory that the study no longer has");
   command->add_flag("--retry-failed", a->retry, "run again what has failed");
   command->add_flag("--dry-run", a->dry_run, "check every case and say what there is to do, no more");
   command->add_flag("--quiet", a->quiet, "print nothing but errors");

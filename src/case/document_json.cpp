@@ -14,11 +14,20 @@ Json node(const Value& value)
   Json json = {{"value", nullptr}, {"at", place(value.where)}};
   Json& content = json["value"];
   switch (value.kind) {
-  case Value::Kind::text: content = value.text; break;
-  case Value::Kind::integer: content = value.integer; break;
-  case Value::Kind::number: content = value.number; break;
-  case Value::Kind::boolean: content = value.boolean; break;
-  case Value::Kind::date: break;
+  case Value::Kind::text:
+    content = value.text;
+    break;
+  case Value::Kind::integer:
+    content = value.integer;
+    break;
+  case Value::Kind::number:
+    content = value.number;
+    break;
+  case Value::Kind::boolean:
+    content = value.boolean;
+    break;
+  case Value::Kind::date:
+    break;
   case Value::Kind::list:
     content = Json::array();
     for (const Value& item : value.items) content.push_back(node(item));

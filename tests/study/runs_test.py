@@ -91,10 +91,10 @@ class OneRun(Program):
 
     def test_a_signal_reaches_the_program_once_and_its_end_is_waited_for(self):
         child = self.start("trap 'echo term >>signals; touch 0001/checkpoint.h5; sleep 0.3; exit 75' TERM; touch up; "
-                           "while :; do sleep 0.05; done", attempt=4)
+                           "for i in $(seq 400); do sleep 0.05; done", attempt=4)
         self.wait_for("up", child)
         child.send_signal(signal.SIGINT)
-        child.communicate()
+        child.communicate(timeout=60)
         self.assertEqual(child.returncode, 75)
         self.assertEqual((self.directory / "signals").read_text().split(), ["term"])
         self.assertIsNone(self.status)
