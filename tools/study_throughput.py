@@ -41,8 +41,9 @@ def main():
         for _ in range(REPEATS):
             one = seconds(elements, steps, 1)
             ratios.append(seconds(elements, steps, CORES) / one)
-        print(f"{elements:6d} elements (a quarter modelled): one thread a run gives {min(ratios):.2f} / {statistics.median(ratios):.2f} / "
-              f"{max(ratios):.2f} times the runs of {CORES} threads a run (min / median / max of {REPEATS})", flush=True)
+        shown = " / ".join(f"{ratio:.2f}" for ratio in (min(ratios), statistics.median(ratios), max(ratios)))
+        print(f"{elements:6d} elements (a quarter modelled): one thread a run gives {shown} times the runs of {CORES} threads a run "
+              f"(min / median / max of {REPEATS})", flush=True)
     shutil.rmtree(FOLDER)
 
 

@@ -30,7 +30,8 @@ class OneRun(Program):
     def start(self, do, attempt=1):
         self.write("do", do)
         words = ["/usr/bin/python3", "-B", "-m", "study.one_run", self.program, self.folder, "--attempt", attempt, "--attempts", 4]
-        return subprocess.Popen(list(map(str, words)), cwd=self.directory, stderr=subprocess.PIPE, text=True)
+        return subprocess.Popen(list(map(str, words)), cwd=self.directory, stderr=subprocess.PIPE, text=True,
+                                start_new_session=True)
 
     def code(self, do, attempt=1):
         child = self.start(do, attempt)
@@ -90,10 +91,10 @@ class OneRun(Program):
         self.assertFalse((self.directory / "calls").exists())
 
     def test_a_signal_reaches_the_program_once_and_its_end_is_waited_for(self):
-        child = self.start("trap 'echo term >>signals; touch 0001/checkpoint.h5; sleep 0.3; exit 75' TERM; touch up; "
+        child = self.start("trap 'echo int >>signals' INT; trap 'echo term >>signals; touch 0001/checkpoint.h5; sleep 0.3; exit 75' TERM; touch up; "
                            "for i in $(seq 400); do sleep 0.05; done", attempt=4)
         self.wait_for("up", child)
-        child.send_signal(signal.SIGINT)
+        os.killpg(child.pid, signal.SIGINT)  # as a terminal does, to the whole group
         child.communicate(timeout=60)
         self.assertEqual(child.returncode, 75)
         self.assertEqual((self.directory / "signals").read_text().split(), ["term"])
@@ -117,7 +118,8 @@ class SlurmStatus(Program):
             (tools / name).write_text(f"#!/bin/sh\n{text}\n")
             (tools / name).chmod(0o755)
         script = SOURCE / "tools" / "study" / "profiles" / "slurm" / "slurm_status.py"
-        done = subprocess.run([script, "17"], capture_output=True, text=True, env={**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"})
+        done = subprocess.run([script, "17"], capture_output=True, text=True,
+                              env={**os.environ, "PATH": f"{tools}:{os.environ['PATH']}"})
         return done.stdout.strip()
 
     def test_states(self):

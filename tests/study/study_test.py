@@ -70,6 +70,12 @@ goal = "minimise"
 """
 
 
+DERIVED = """[[derived]]
+key = "time.end"
+formula = "{}"
+"""
+
+
 class Studies(Program):
     def study(self, path, *arguments):
         return self.towform("study", path, "-o", self.out, *arguments)
@@ -123,7 +129,9 @@ class Studies(Program):
         self.assert_ends(again, DONE)
         self.assertEqual(self.starts(), {f"000{i}": ["run"] for i in (1, 2, 3)})
         path.write_text(STUDY.replace("0.4]", "0.4, 0.5]").replace("0.05]", "0.05, 0.05]"))
+        (self.out / "runs/0001/report.html").touch()
         self.assert_ends(self.study(path), DONE)
+        self.assertIn('href="runs/0001/report.html"', (self.out / "report.html").read_text())
         self.assertEqual(self.starts(), {f"000{i}": ["run"] for i in (1, 2, 3, 4)})
         self.assertEqual(len(self.rows()), 4)
         path.write_text(STUDY.replace("0.1, ", "").replace("[0.05, ", "["))
@@ -239,9 +247,9 @@ class Refusals(Program):
             ([('"largest"\ngoal', '"largest"\nmin = 2\nmax = 1\ngoal')], r"min must not be more than max"),
             ([("[[response]]\nname = \"shear\"", "[optimise]\nruns = 3\n[[response]]\nname = \"shear\"")],
              r"exclude each other", r"one response with a goal, not 2"),
-            ([("[[response]]\nname = \"shear\"", '[[derived]]\nkey = "time.end"\nformula = "fricton + open(1)"\n[[response]]\nname = "shear"')],
+            ([("[[response]]", DERIVED.format("fricton + open(1)") + "[[response]]")],
              r"has `open\(1\)`, which is not arithmetic"),
-            ([("[[response]]\nname = \"shear\"", '[[derived]]\nkey = "time.end"\nformula = "fricton"\n[[response]]\nname = "shear"')],
+            ([("[[response]]", DERIVED.format("fricton") + "[[response]]")],
              r"`fricton` is not a parameter that is a number; did you mean `friction`\?"),
             ([("output.frames = 2", "output.frames = 2007-01-01")], r"set: output.frames has no value"),
         ]
@@ -259,7 +267,7 @@ class Refusals(Program):
         self.assert_refused(self.towform("study", history, "-o", self.out), CASE_FILE,
                             r"bad.toml:18:1: history: response `force`: there is no column .*did you mean `force_punch_N`\?")
         formula = self.write("bad.toml", self.edited(
-            ("[[response]]\nname = \"shear\"", '[[derived]]\nkey = "time.end"\nformula = "1 / (friction - 0.2)"\n[[response]]\nname = "shear"')))
+            ("[[response]]", DERIVED.format("1 / (friction - 0.2)") + "[[response]]")))
         self.assert_refused(self.towform("study", formula, "-o", self.out), CASE_FILE,
                             r"bad.toml:16:11: formula: time.end has no value: float division by zero \(friction = 0.2")
 

@@ -66,8 +66,8 @@ class Campaign:
         counts = Counter(self.state_of(known[p]) if p in known else "to run" for p in dict.fromkeys(prints))
         state = ", ".join(f"{count} {name}" for name, count in counts.items())
         if study.optimise:
-            print(f"{study.title}: up to {study.optimise.runs} runs of {study.case}, the first {len(rows)} spread ({state}), the rest "
-                  f"proposed in batches of {study.optimise.batch}; {study.threads} thread{'s' * (study.threads > 1)} each")
+            print(f"{study.title}: up to {study.optimise.runs} runs of {study.case}, the first {len(rows)} spread ({state}), "
+                  f"the rest proposed in batches of {study.optimise.batch}; {study.threads} thread{'s' * (study.threads > 1)} each")
         else:
             print(f"{study.title}: {len(set(prints))} runs of {study.case} ({state}), {study.sampling.method}, "
                   f"{study.threads} thread{'s' * (study.threads > 1)} each")
@@ -114,14 +114,21 @@ class Campaign:
                 for name in ("status.json", "ended"):
                     (self.manifest.folder(run) / name).unlink(missing_ok=True)
 
+    def _is_old(self):
+        """Whether the table or the page is missing or older than what it is made from."""
+        def when(*paths):
+            return [path.stat().st_mtime if path.exists() else 0.0 for path in paths]
+
+        sources = when(self.directory / "manifest.json", *self.directory.glob("runs/*/status.json"))
+        table, page = when(self.directory / "table.csv", self.directory / "report.html")
+        return not max(sources) <= table <= page
+
     def _close(self, code):
         """The table and the report, also of a study that was stopped; says how it stands."""
         from .report import write_report
         from .table import write_table
         manifest, directory = self.manifest, self.directory
-        table, page = directory / "table.csv", directory / "report.html"
-        newest = max(path.stat().st_mtime for path in [directory / "manifest.json", *directory.glob("runs/*/status.json")])
-        if not page.exists() or page.stat().st_mtime < table.stat().st_mtime or table.stat().st_mtime < newest or not self.all_ended():
+        if not self.all_ended() or self._is_old():
             write_table(manifest)
             write_report(manifest)
         states = {run.name: self.state_of(run) for run in manifest.runs}
@@ -130,15 +137,19 @@ class Campaign:
         done = len(states) - len(failed) - len(left)
         self.say(f"{done} of {len(states)} runs done, {len(failed)} failed, {len(left)} left")
         for name in failed:
-            status = read_json(directory / "runs" / name / "status.json")
+            status = self._status(name)
             self.say(f"  run {name} failed with exit code {status['exit_code']}: {status['reason']}")
         self.say(f"wrote {directory}/table.csv, table.h5, report.html, manifest.json")
         if code:
-            print(f"towform: stopped by a signal; the same command goes on with the study", file=sys.stderr)
+            print("towform: stopped by a signal; the same command goes on with the study", file=sys.stderr)
             return code
         if left:
-            raise Refused(f"towform: {len(left)} runs were interrupted in every attempt, {directory}/snakemake.log says how; the same "
-                          "command goes on with them", FILES)
+            raise Refused(f"towform: {len(left)} run{'s were' if len(left) > 1 else ' was'} interrupted in every attempt, "
+                          f"{directory}/snakemake.log says how; the same command goes on", FILES)
         if failed and not done:
-            return Counter(read_json(directory / "runs" / name / "status.json")["exit_code"] for name in failed).most_common(1)[0][0]
+            codes = Counter(abs(self._status(name)["exit_code"]) for name in failed)
+            return codes.most_common(1)[0][0]
         return DONE
+
+    def _status(self, name):
+        return read_json(self.directory / "runs" / name / "status.json")

@@ -1,5 +1,6 @@
 """Pictures of a study's report: SVG texts whose points lead to their runs."""
 
+import html
 import io
 import itertools
 import re
@@ -26,7 +27,8 @@ def _svg(figure, links=()):
     svg = text.getvalue()
     svg = svg[svg.index("<svg"):]
     tips = dict(links)
-    return re.sub(r'<a xlink:href="([^"]+)">', lambda m: f'<a xlink:href="{m[1]}" target="_blank"><title>{tips.get(m[1], "")}</title>', svg)
+    return re.sub(r'<a xlink:href="([^"]+)">',
+                  lambda m: f'<a xlink:href="{m[1]}" target="_blank"><title>{html.escape(tips.get(m[1], ""))}</title>', svg)
 
 
 def _drawn(function):
@@ -37,7 +39,8 @@ def _drawn(function):
 
 
 def _points(axes, x, y, colours, urls, size=22):
-    order = [i for i in np.argsort([colour != BEYOND for colour in colours], kind="stable") if np.isfinite(y[i])]  # good ones on top
+    upwards = np.argsort([colour != BEYOND for colour in colours], kind="stable")  # the good ones on top
+    order = [i for i in upwards if np.isfinite(y[i])]
     if order:
         axes.scatter(x[order], y[order], s=size, c=[colours[i] for i in order], linewidths=0.4, edgecolors="white",
                      zorder=3).set_urls([urls[i] for i in order])
@@ -131,7 +134,8 @@ def sensitivities(parameters, measures):
     """Bars with intervals: measures is [(response heading, [(name of the measure, [Estimate])])]."""
     across = min(3, len(measures))
     down = -(-len(measures) // across)
-    figure, grid = plt.subplots(down, across, figsize=(3.5 * across, (0.55 * len(parameters) + 1.0) * down), squeeze=False, sharey=True)
+    size = 3.5 * across, (0.55 * len(parameters) + 1.0) * down
+    figure, grid = plt.subplots(down, across, figsize=size, squeeze=False, sharey=True)
     for axes in grid.ravel()[len(measures):]:
         axes.remove()
     for axes, (heading, pair) in zip(grid.ravel(), measures):

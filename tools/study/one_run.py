@@ -74,11 +74,13 @@ class Run:
         else:
             code, said = self.fresh()
         if code == INTERRUPTED or (code < 0 and (self.signals or not self.last)):
-            print(f"{self.directory}: {said or (f'killed by {signal.Signals(-code).name}' if code < 0 else 'interrupted')}", file=sys.stderr)
+            how = f"killed by {signal.Signals(-code).name}" if code < 0 else "interrupted"
+            print(f"{self.directory}: {said or how}", file=sys.stderr)
             return INTERRUPTED
         reason = reason_of(code, said)
         replace_json(self.directory / "status.json",
-                     {"exit_code": code, "reason": reason, "ended": round(time.time(), 3), "seconds": round(time.time() - started, 3)})
+                     {"exit_code": code, "reason": reason, "ended": round(time.time(), 3),
+                      "seconds": round(time.time() - started, 3)})
         return 0
 
     def fresh(self):

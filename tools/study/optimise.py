@@ -20,7 +20,8 @@ FAILED_EXCESS = 10.0
 def first_rows(study):
     """Parameter values of the runs before the search, spread over the ranges."""
     o = study.optimise
-    return [scaled(study.parameters, p) for p in unit_points("latin_hypercube", min(o.initial, o.runs), len(study.parameters), o.seed)]
+    points = unit_points("latin_hypercube", min(o.initial, o.runs), len(study.parameters), o.seed)
+    return [scaled(study.parameters, point) for point in points]
 
 
 def search(campaign):

@@ -89,7 +89,8 @@ def pictures_of(outcome, measures, chosen=None):
     pictures = {"responses": figures.families(outcome, chosen) if family else figures.against_parameters(outcome)}
     pictures["coloured"] = not family and bool(outcome.goals or any(r.limits() for r in outcome.responses))
     if measures:
-        pictures["sensitivities"] = figures.sensitivities([p.label for p in measures[1]], [(r.label, pair) for r, pair in measures[2]])
+        pictures["sensitivities"] = figures.sensitivities([p.label for p in measures[1]],
+                                                          [(r.label, pair) for r, pair in measures[2]])
     if len(outcome.goals) > 1:
         pictures["pareto"] = figures.pareto(outcome)
     if method == "optimise":

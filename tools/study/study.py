@@ -103,7 +103,7 @@ class Response:
         return max([0.0, *over])
 
     def limits(self):
-        parts = ([f"at least {self.low:g}"] if self.low is not None else []) + ([f"at most {self.high:g}"] if self.high is not None else [])
+        parts = [f"{words} {limit:g}" for words, limit in (("at least", self.low), ("at most", self.high)) if limit is not None]
         return " and ".join(parts) + (f" {self.unit}" if parts and self.unit else "")
 
 

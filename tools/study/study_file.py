@@ -211,7 +211,8 @@ def _derived(node, study, problems):
             problems.add(item["at"], f"formula: `{plain(item)}` {e}")
             continue
         for name in sorted(formula.names - set(names)):
-            problems.add(item["at"], f"formula: `{name}` is not a parameter that is a number{did_you_mean(name, names) if names else ''}")
+            near = did_you_mean(name, names) if names else ""
+            problems.add(item["at"], f"formula: `{name}` is not a parameter that is a number{near}")
         formulas.append(formula)
     study.derived.append(Derived(plain(table["key"]), formulas, isinstance(table["formula"]["value"], list),
                                  plain(table["unit"]) if "unit" in table else "", table["formula"]["at"]))

@@ -13,6 +13,7 @@ from .files import read_json, replace_file
 from .one_run import PR_SET_PDEATHSIG
 from .problems import FILES, INTERRUPTED, Refused
 
+STOPPING = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 ATTEMPTS = 4  # of a run that is killed or interrupted, before the next call of the study
 TOOLS = Path(__file__).resolve().parent.parent
 
@@ -111,7 +112,7 @@ def run_all(manifest, held, profile=None, jobs=0, quiet=False):
     progress = Progress(manifest, quiet)
     log_path = manifest.directory / "snakemake.log"
     signals = []
-    earlier = {number: signal.signal(number, lambda n, _: signals.append(n)) for number in (signal.SIGINT, signal.SIGTERM)}
+    earlier = {number: signal.signal(number, lambda n, _: signals.append(n)) for number in STOPPING}
     libc = ctypes.CDLL(None)
     try:
         with open(log_path, "a") as log:
@@ -119,7 +120,8 @@ def run_all(manifest, held, profile=None, jobs=0, quiet=False):
             log.flush()
             environment = {**os.environ, "XDG_CACHE_HOME": str(manifest.directory / ".snakemake" / "cache")}
             child = subprocess.Popen(_command(manifest, profile, jobs), cwd=manifest.directory, env=environment,
-                                     stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True, pass_fds=[held.fileno()],
+                                     stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True,
+                                     pass_fds=[held.fileno()],
                                      preexec_fn=lambda: libc.prctl(PR_SET_PDEATHSIG, signal.SIGINT))
             told = 0
             while child.poll() is None:
