@@ -15,7 +15,7 @@ PROGRAM, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
 REPEATS = int(sys.argv[3]) if len(sys.argv) > 3 else 5
 CASE = Path(__file__).resolve().parent.parent / "cases" / "hemisphere.toml"
 CORES = len(os.sched_getaffinity(0))
-SIZES = {1600: 1000, 14400: 150}  # elements of the whole sheet, of which a quarter is modelled: steps
+SIZES = {1600: 1000, 14400: 100}  # elements of the whole sheet, of which a quarter is modelled: steps
 STOPPED = 75  # by --max-steps
 
 
