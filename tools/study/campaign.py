@@ -80,8 +80,6 @@ class Campaign:
         return DONE
 
     def go(self):
-        if self.retry:
-            self._forget_failures()
         if self.study.optimise:
             from .optimise import search
             code = search(self)
@@ -99,6 +97,8 @@ class Campaign:
     def begin(self):
         """Everything was found right: the directory becomes this study's."""
         self.held = self.held or hold(self.directory)
+        if self.retry:
+            self._forget_failures()
         self.manifest.describe(self.program, self.study)
         replace_file(self.directory / "study.toml", self.study.text)
 
@@ -147,8 +147,8 @@ class Campaign:
             raise Refused(f"towform: {len(left)} run{'s were' if len(left) > 1 else ' was'} interrupted in every attempt, "
                           f"{directory}/snakemake.log says how; the same command goes on", FILES)
         if failed and not done:
-            codes = Counter(abs(self._status(name)["exit_code"]) for name in failed)
-            return codes.most_common(1)[0][0]
+            code = Counter(self._status(name)["exit_code"] for name in failed).most_common(1)[0][0]
+            return code if code > 0 else 128 - code  # killed by a signal: as a shell has it
         return DONE
 
     def _status(self, name):
