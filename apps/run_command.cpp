@@ -144,6 +144,7 @@ void add_check(CLI::App& app)
   auto arguments = std::make_shared<CaseArguments>();
   auto directory = std::make_shared<std::string>();
   auto force = std::make_shared<bool>(false);
+  auto resolved = std::make_shared<bool>(false);
   arguments->add_to(*command);
   CLI::Option* preview =
       command
@@ -151,12 +152,16 @@ void add_check(CLI::App& app)
                        "write sheet, yarns and tools as they start, with a report, into this directory")
           ->type_name("DIR");
   command->add_flag("--force", *force, "replace what an earlier preview or run left there")->needs(preview);
-  command->callback([arguments, directory, force] {
+  command->add_flag("--resolved", *resolved,
+                    "print the case with every key and the full paths of its files instead, as run reads it");
+  command->callback([arguments, directory, force, resolved] {
     const Case c = arguments->read();
-    std::string text = describe_run(c);
+    const std::string description = describe_run(c);
+    std::string text = *resolved ? resolved_case(c) : description;
     if (!directory->empty()) {
       write_preview(c, *directory, *force);
-      text += fmt::format("wrote {}\n", write_report(*directory).path.string());
+      const std::string page = write_report(*directory).path.string();
+      if (!*resolved) text += fmt::format("wrote {}\n", page);
     }
     fmt::print("{}", text);
   });

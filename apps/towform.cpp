@@ -6,6 +6,7 @@
 #include "mesh_command.hpp"
 #include "report_command.hpp"
 #include "run_command.hpp"
+#include "study_command.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
 #include "version.hpp"
@@ -44,6 +45,7 @@ int main(int argc, char** argv)
   add_report_command(app);
   add_init_command(app);
   add_manual_commands(app);
+  add_study_command(app);
   try {
     app.parse(argc, argv);
     return status(code);

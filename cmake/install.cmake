@@ -17,6 +17,10 @@ foreach(paper "towform.1|manual|${CMAKE_INSTALL_MANDIR}/man1" "towform|completio
     COMMAND $<TARGET_FILE:towform_program> ${words} > ${file} VERBATIM)
   install(FILES ${file} DESTINATION ${place})
 endforeach()
+# What `towform study` starts, found relative to the program.
+install(DIRECTORY tools/study DESTINATION ${CMAKE_INSTALL_DATADIR}/towform/tools USE_SOURCE_PERMISSIONS
+  PATTERN __pycache__ EXCLUDE)
+install(FILES tools/towform_results.py DESTINATION ${CMAKE_INSTALL_DATADIR}/towform/tools)
 install(EXPORT towformTargets NAMESPACE towform:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform)
 configure_package_config_file(cmake/towformConfig.cmake.in ${PROJECT_BINARY_DIR}/towformConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform)

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM, SOURCE = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-COMMANDS = {"run", "resume", "check", "mesh", "info", "compare", "report"}
+COMMANDS = {"run", "resume", "check", "mesh", "info", "compare", "report", "study"}
 DONE, USAGE, CASE_FILE, FILES, STABILITY, CONTACT, COMPARISON = 0, 2, 3, 4, 5, 6, 8
 
 CASE = """title = "A small press"
