@@ -20,9 +20,9 @@ struct RunOptions {
   std::filesystem::path directory; ///< made when missing
   int threads = 0;                 ///< 0: as many as the machine has
   bool quiet = false;              ///< nothing but errors
-  bool json_progress = false;      ///< a line of JSON at each output in place of words
   bool force = false;              ///< replace the results of an earlier run
   RunControls controls{};
+  bool json_progress = false; ///< a line of JSON at each output in place of words
 };
 
 /// How a run ended: everything computed until then is on disk and readable.

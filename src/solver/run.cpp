@@ -43,12 +43,20 @@ Stride next_stride(double time, double stable_step, double now)
           left <= steps_between_looks};
 }
 
+/// Threads that are worth waking for a sheet: a few microseconds of each step go into that, more on a busy machine.
+int useful_threads(const Model& model)
+{
+  constexpr std::size_t elements_a_thread = 1500;
+  return static_cast<int>(std::max<std::size_t>(1, model.membrane.triangles.size() / elements_a_thread));
+}
+
 class ExplicitRun final : public SessionRun {
 public:
-  explicit ExplicitRun(Session& session)
+  ExplicitRun(Session& session, int thread_count)
       : SessionRun(session), model_(build_model(case_)),
         bound_(model_.membrane, model_.element_mass, model_.shear_modulus, model_.bending)
   {
+    if (thread_count == 0) set_threads(std::min(threads(), useful_threads(model_)));
     record_ = &run_.record;
     event_ = &run_.event;
     run_.system = session.resumes() ? at_rest(model_) : start(model_);
@@ -135,7 +143,7 @@ RunOutcome go(Session& session, int thread_count)
 {
   if (session.the_case().solver == SolverKind::implicit) return run_statics(session);
   set_threads(thread_count);
-  return ExplicitRun(session).go();
+  return ExplicitRun(session, thread_count).go();
 }
 
 /// A run that has ended well leaves no checkpoint.
