@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A number in SI units or text with a unit; a key without a dimension takes text for per cent.
-Json number() { return {{"type", {"number", "string"}}}; }
+Json number_schema() { return {{"type", {"number", "string"}}}; }
 Json list_of(const Json& item) { return {{"type", "array"}, {"items", item}}; }
 Json list_of(const Json& item, int count)
 {
@@ -23,13 +23,13 @@ Json either(const Json& a, const Json& b) { return {{"anyOf", {a, b}}}; }
 
 Json type_schema(const Row& row)
 {
-  const Json points = list_of(list_of(number(), 2));
+  const Json points = list_of(list_of(number_schema(), 2));
   return std::visit(Overload{
                         [](At<bool>) -> Json {
                           return {{"type", "boolean"}};
                         },
-                        [](At<double>) { return number(); },
-                        [](At<std::optional<double>>) { return number(); },
+                        [](At<double>) { return number_schema(); },
+                        [](At<std::optional<double>>) { return number_schema(); },
                         [](At<int>) -> Json {
                           return {{"type", "integer"}};
                         },
@@ -42,19 +42,19 @@ Json type_schema(const Row& row)
                         [](At<std::filesystem::path>) -> Json {
                           return {{"type", "string"}};
                         },
-                        [](At<Vec2>) { return list_of(number(), 2); },
-                        [](At<std::optional<Vec2>>) { return either(number(), list_of(number(), 2)); },
-                        [](At<Vec3>) { return list_of(number(), 3); },
-                        [](At<std::optional<Vec3>>) { return list_of(number(), 3); },
+                        [](At<Vec2>) { return list_of(number_schema(), 2); },
+                        [](At<std::optional<Vec2>>) { return either(number_schema(), list_of(number_schema(), 2)); },
+                        [](At<Vec3>) { return list_of(number_schema(), 3); },
+                        [](At<std::optional<Vec3>>) { return list_of(number_schema(), 3); },
                         [](const Words& words) -> Json {
                           return {{"enum", words.names}};
                         },
-                        [](const MotionAmount&) { return number(); },
+                        [](const MotionAmount&) { return number_schema(); },
                         [&](const MotionTable&) { return points; },
-                        [](At<std::vector<double>>) { return list_of(number()); },
+                        [](At<std::vector<double>>) { return list_of(number_schema()); },
                         [&](At<std::vector<ViscosityPoint>>) { return points; },
                         [&](At<std::vector<BendingPoint>>) { return points; },
-                        [&](At<std::vector<PressurePoint>>) { return either(number(), points); },
+                        [&](At<std::vector<PressurePoint>>) { return either(number_schema(), points); },
                     },
                     row.binding);
 }
@@ -72,7 +72,7 @@ std::string description(const Row& row)
   return text;
 }
 
-Json table() { return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}}; }
+Json table_schema() { return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}}; }
 
 /// The table in `object` that a key with more parts belongs to, made when missing.
 Json& place_of(Json& object, const std::string& path)
@@ -81,7 +81,7 @@ Json& place_of(Json& object, const std::string& path)
   Json& properties = object["properties"];
   if (dot == std::string::npos) return properties[path];
   Json& inner = properties[path.substr(0, dot)];
-  if (inner.is_null()) inner = table();
+  if (inner.is_null()) inner = table_schema();
   return place_of(inner, path.substr(dot + 1));
 }
 
@@ -90,14 +90,14 @@ Json& place_of(Json& object, const std::string& path)
 std::string case_schema()
 {
   Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"}, {"title", "A case of towform"}};
-  schema.update(table());
+  schema.update(table_schema());
   for (const Row& row : key_table()) {
     const std::string section = row.section();
     Json* root = &schema;
     std::string path = row.path;
     if (is_list_section(section)) {
       Json& list = schema["properties"][section];
-      if (list.is_null()) list = list_of(table());
+      if (list.is_null()) list = list_of(table_schema());
       root = &list["items"];
       path = row.path.substr(section.size() + 1);
     }

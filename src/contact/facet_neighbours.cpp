@@ -47,13 +47,16 @@ const FacetNeighbours::List& FacetNeighbours::make(int number) const
   for (const int near : surface_.tree().in_box_round(f, radius_)) {
     const Facet& other = surface_.tree().facet(near);
     if (near == number || !within(f, other, radius_)) continue;
-    constexpr double touching = 1e-12; // [m]
-    const auto all = [&](double side) {
-      return std::all_of(other.corner.begin(), other.corner.end(),
-                         [&](const Vec3& c) { return side * f.height(c) <= touching; });
-    };
     const double turn = norm(other.normal - f.normal);
-    made->push_back({other.normal, other.offset, turn > 0.0 ? 1.0 / turn : 0.0, near, all(1.0), all(-1.0)});
+    const Neighbour neighbour{other.normal, other.offset, turn > 0.0 ? 1.0 / turn : 0.0, near};
+    const auto reaches = [&](double side) {
+      constexpr double touching = 1e-12; // [m]
+      return std::any_of(other.corner.begin(), other.corner.end(),
+                         [&](const Vec3& c) { return side * f.height(c) > touching; });
+    };
+    made->all.push_back(neighbour);
+    if (reaches(1.0)) made->in_front.push_back(neighbour);
+    if (reaches(-1.0)) made->behind.push_back(neighbour);
   }
   const List* there = nullptr;
   if (lists_[number].compare_exchange_strong(there, made.get(), std::memory_order_acq_rel)) return *made.release();
@@ -90,8 +93,8 @@ double FacetNeighbours::reach_inside(const Vec3& p, int facet, double height, do
 {
   const double side = height < 0.0 ? -1.0 : 1.0, size = std::abs(height);
   double reach = std::min({size, margin, 0.5 * radius_ - size});
-  for (const Neighbour& n : of(facet)) {
-    if (side > 0.0 ? n.behind : n.before) continue;
+  const List& list = of(facet);
+  for (const Neighbour& n : side > 0.0 ? list.in_front : list.behind) {
     if (const double to_bisector = (side * n.height(p) - size) * n.over_turn; to_bisector > doubt) {
       reach = std::min(reach, to_bisector);
       continue;
@@ -135,8 +138,7 @@ std::optional<FacetNeighbours::Nearest> FacetNeighbours::nearest(const Vec3& p, 
       if (const double reach = reach_inside(p, facet, f.height(p), room); reach >= 0.0)
         return Nearest{surface_.at(p, facet, best), std::max(0.0, reach - 0.1 * doubt)};
   }
-  const int start = facet;
-  for (const Neighbour& n : of(start)) {
+  for (const Neighbour& n : of(facet).all) {
     const double height = n.height(p);
     if (height * height > best.distance_squared) continue;
     const FacetPoint point = nearest_on_facet(surface_.tree().facet(n.facet), p);

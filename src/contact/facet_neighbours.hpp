@@ -34,11 +34,14 @@ private:
     double offset;
     double over_turn; ///< 1/|normal - the facet's normal|; 0 where they are the same
     int facet;
-    bool behind, before; ///< all of it behind the facet's plane, or all on the other side
 
     [[nodiscard]] double height(const Vec3& p) const { return dot(normal, p) - offset; }
   };
-  using List = std::vector<Neighbour>;
+  struct List {
+    std::vector<Neighbour> all;
+    /// Those of which some part is in front of the facet's plane, and those of which some is behind.
+    std::vector<Neighbour> in_front, behind;
+  };
   [[nodiscard]] const List& of(int facet) const
   {
     const List* list = lists_[facet].load(std::memory_order_acquire);
