@@ -102,7 +102,8 @@ class Terminal(Program):
     def on_a_terminal(self, **environment):
         """What a run writes to a terminal."""
         leader, follower = pty.openpty()
-        run = subprocess.Popen([PROGRAM, "run", self.case, "-o", self.out, "--force", "--threads", "1", "--set", "blank.elements=800"],
+        run = subprocess.Popen([PROGRAM, "run", self.case, "-o", self.out, "--force", "--threads", "1", "--set", "blank.elements=800",
+                                "--set", "time.safety=0.1"],  # long enough for the bar to move
                                stdout=follower, stderr=subprocess.PIPE, env={**os.environ, "TERM": "xterm", **environment})
         os.close(follower)
         seen = b""

@@ -166,7 +166,7 @@ class Studies(Program):
                 self.assertEqual(dataset.attrs["units"], names.FIELD_UNITS.get(name, "1"), name)
 
     def test_a_study_that_is_stopped_goes_on_from_checkpoints(self):
-        path = self.write("slow.toml", STUDY.replace("output.frames = 2", "time.safety = 0.004").replace("1e-9", "0.06"))
+        path = self.write("slow.toml", STUDY.replace("output.frames = 2", "time.safety = 0.001").replace("1e-9", "0.06"))
         child = subprocess.Popen([PROGRAM, "study", path, "-o", self.out, "--jobs", "1"], stdout=subprocess.PIPE,
                                  stderr=subprocess.PIPE, text=True, cwd=self.directory)
         while not list(self.out.glob("runs/*/history.csv")):

@@ -28,7 +28,7 @@ def run_once(case, settings=(), threads=1, steps=None, directory=None):
     with tempfile.TemporaryDirectory(prefix="towform_bench_") as scratch:
         out = Path(directory or scratch) / "run"
         command = [PROGRAM, "run", ROOT / "cases" / f"{case}.toml", "-o", out, "--force", "--quiet", "--threads", str(threads)]
-        command += [word for s in settings for word in ("--set", s)]
+        command += [word for s in ("output.report=false", *settings) for word in ("--set", s)]
         if steps:
             command += ["--max-steps", str(steps)]
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
