@@ -1,4 +1,6 @@
 #include "parallel/parallel.hpp"
+#include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
@@ -48,8 +50,9 @@ public:
 
   void run(void (*task)(void*, int), void* context)
   {
-    if (count_ == 1) {
-      task(context, 0);
+    const Clock::time_point start = Clock::now();
+    if (count_ == 1 || start < alone_until_) {
+      for (int part = 0; part < count_; ++part) task(context, part);
       return;
     }
     task_ = task;
@@ -57,12 +60,35 @@ public:
     busy_.store(count_ - 1, std::memory_order_relaxed);
     begin();
     task(context, 0);
+    const Clock::time_point done = Clock::now();
     for (int left = busy_.load(std::memory_order_acquire); left != 0;
          left = busy_.load(std::memory_order_acquire))
       wait_while(busy_, left);
+    const Clock::time_point end = Clock::now();
+    judge(end - done, end - start, end);
   }
 
 private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr Clock::duration look = std::chrono::milliseconds(2); ///< at the share of waiting, this often
+  static constexpr Clock::duration shortest_rest = std::chrono::milliseconds(100);
+  static constexpr Clock::duration longest_rest = std::chrono::milliseconds(1000);
+
+  /// Where another program has a helper's core, waiting for the helper takes longer than doing its part: the caller then
+  /// goes on alone for a while, longer each time that it finds no better.
+  void judge(Clock::duration waited, Clock::duration whole, Clock::time_point now)
+  {
+    waited_ += waited;
+    whole_ += whole;
+    if (whole_ < look) return;
+    constexpr double too_much = 0.4;
+    const bool waits =
+        std::chrono::duration<double>(waited_).count() > too_much * std::chrono::duration<double>(whole_).count();
+    rest_ = waits ? std::clamp(2 * rest_, shortest_rest, longest_rest) : Clock::duration::zero();
+    alone_until_ = now + rest_;
+    waited_ = whole_ = Clock::duration::zero();
+  }
+
   void begin()
   {
     round_.fetch_add(1, std::memory_order_release);
@@ -79,6 +105,8 @@ private:
     }
   }
 
+  Clock::duration waited_{}, whole_{}, rest_{}; // of the caller, in loops since it last looked
+  Clock::time_point alone_until_{};
   int count_; // NOLINT(clang-analyzer-optin.performance.Padding): the counters keep their cache lines apart
   void (*task_)(void*, int) = nullptr;
   void* context_ = nullptr;
