@@ -7,10 +7,10 @@ namespace towform {
 
 namespace {
 
-/// Wall time of a step of an element on one thread, contact and all [s]: measured on the double dome, 21,672
-/// triangles, on a core of a virtual machine that it shared with other work.
-constexpr double element_step = 690e-9;
-/// Threads wait for each other: of each further one this part counts (assumed).
+/// Wall time of a step of an element on one thread, contact and all [s]: the double dome in docs/benchmarks.md, 49
+/// without bending and 18 more with it.
+constexpr double element_step = 49e-9, bending_step = 18e-9;
+/// Threads wait for each other: of each further one this part counts (measured with two, assumed for more).
 constexpr double further_thread = 0.7;
 /// Peak memory: 86 MB with 21,672 triangles, 180 MB with 100,000.
 constexpr double memory_alone = 60e6, memory_element = 1200.0; // [bytes]
@@ -29,7 +29,8 @@ RunEstimate estimate(const Case& c, const Model& model, int threads)
   const auto elements = static_cast<double>(model.membrane.triangles.size());
   const double steps = std::ceil(c.time.end / model.first_step);
   const double speed = 1.0 + further_thread * (threads - 1);
-  return {elements * steps * element_step / speed, memory_alone + memory_element * elements};
+  const double step = element_step + (model.bending.empty() ? 0.0 : bending_step);
+  return {elements * steps * step / speed, memory_alone + memory_element * elements};
 }
 
 std::string estimate_text(const RunEstimate& e)
