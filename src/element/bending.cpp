@@ -204,43 +204,106 @@ double bend(const Bending& bending, int first, int nodes, double dt, YarnPair* c
   return lost;
 }
 
+/// What a thread needs to compute a block.
+struct BendingWork {
+  std::vector<Padded> position, force;
+  BendingLanes lanes;
+
+  static BendingWork& here()
+  {
+    static thread_local BendingWork work;
+    return work;
+  }
+  void take(std::span<const int> points, const ImagedPositions& x)
+  {
+    position.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) position[i] = Padded(x[points[i]]);
+  }
+  /// The block's forces from its lanes.
+  void give(const Bending& bending, const Bending::Block& block, std::span<Vec3> block_force)
+  {
+    force.assign(static_cast<std::size_t>(block.points.count), {});
+    add_forces(patches(bending, block), block.nodes, lanes, force.data());
+    Vec3* sums = block_force.data() + block.points.first;
+    for (std::size_t i = 0; i < force.size(); ++i) sums[i] = force[i].vec3();
+  }
+  static Patches patches(const Bending& bending, const Bending::Block& block)
+  {
+    return {bending.curvature.first.data() + block.first_node, bending.curvature.terms.data(),
+            bending.term_point.data(), bending.ends.data() + block.first_node};
+  }
+};
+
 void bend_block(const Bending& bending, int number, const State& s, double dt, BendingState& b)
 {
   const Bending::Block& block = bending.blocks[number];
-  const CurvatureOperator& op = bending.curvature;
-  const std::span<const int> points = bending.slots.points(block.points);
-  static thread_local std::vector<Padded> position, force;
-  static thread_local BendingLanes lanes;
-  position.resize(points.size());
-  force.assign(points.size(), {});
-  const ImagedPositions x(s.position, b.image);
-  for (std::size_t i = 0; i < points.size(); ++i) position[i] = Padded(x[points[i]]);
-  const int first = block.first_node, nodes = block.nodes;
-  const Patches patches{op.first.data() + first, op.terms.data(), bending.term_point.data(),
-                        bending.ends.data() + first};
-  gather(patches, nodes, position.data(), lanes);
-  curve(nodes, lanes);
-  b.damping[number] += bend(bending, first, nodes, dt, b.curvature.data() + first, lanes);
-  turn(nodes, lanes);
-  add_forces(patches, nodes, lanes, force.data());
-  Vec3* sums = b.block_force.data() + block.points.first;
-  for (std::size_t i = 0; i < points.size(); ++i) sums[i] = force[i].vec3();
+  BendingWork& w = BendingWork::here();
+  w.take(bending.slots.points(block.points), {s.position, b.image});
+  gather(BendingWork::patches(bending, block), block.nodes, w.position.data(), w.lanes);
+  curve(block.nodes, w.lanes);
+  b.damping[number] += bend(bending, block.first_node, block.nodes, dt, b.curvature.data() + block.first_node, w.lanes);
+  turn(block.nodes, w.lanes);
+  w.give(bending, block, b.block_force);
+}
+
+std::vector<Vec3> images_of(const Bending& bending, std::span<const Vec3> position)
+{
+  std::vector<Vec3> image;
+  for (const MirrorImage& i : bending.curvature.images) image.push_back(i.position(position));
+  return image;
+}
+
+void assemble(const Bending& bending, std::span<const Vec3> block_force, std::span<Vec3> force)
+{
+  const auto nodes = static_cast<std::ptrdiff_t>(force.size());
+  parallel_ranges(nodes, [&](auto begin, auto end) {
+    for (auto n = begin; n < end; ++n) force[n] += bending.slots.sum(block_force, n);
+  });
+  const std::vector<MirrorImage>& images = bending.curvature.images;
+  for (std::size_t i = 0; i < images.size(); ++i)
+    images[i].hand_on(bending.slots.sum(block_force, nodes + static_cast<std::ptrdiff_t>(i)), force);
 }
 
 } // namespace
 
 void bending_forces(const Bending& bending, BendingState& b, State& s, double dt)
 {
-  const std::vector<MirrorImage>& images = bending.curvature.images;
-  for (std::size_t i = 0; i < images.size(); ++i) b.image[i] = images[i].position(s.position);
+  b.image = images_of(bending, s.position);
   parallel_each(static_cast<int>(bending.blocks.size()),
                 [&](int number) { bend_block(bending, number, s, dt, b); });
-  const auto nodes = static_cast<std::ptrdiff_t>(s.position.size());
-  parallel_ranges(nodes, [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) s.force[n] += bending.slots.sum(b.block_force, n);
+  assemble(bending, b.block_force, s.force);
+}
+
+void linear_bending_forces(const Bending& bending, double factor, std::span<const Vec3> position,
+                           std::span<const Vec3> motion, std::vector<Vec3>& block_force, std::span<Vec3> force)
+{
+  const std::vector<Vec3> image = images_of(bending, position), image_motion = images_of(bending, motion);
+  block_force.resize(bending.slots.count());
+  const double warp_stiffness = factor * bending.warp.stiffness(), weft_stiffness = factor * bending.weft.stiffness();
+  parallel_each(static_cast<int>(bending.blocks.size()), [&](int number) {
+    const Bending::Block& block = bending.blocks[number];
+    const std::span<const int> points = bending.slots.points(block.points);
+    const Patches patches = BendingWork::patches(bending, block);
+    BendingWork& w = BendingWork::here();
+    w.take(points, {position, image});
+    gather(patches, block.nodes, w.position.data(), w.lanes);
+    curve(block.nodes, w.lanes);
+    w.take(points, {motion, image_motion});
+    BendingLanes& l = w.lanes;
+    for (int n = 0; n < block.nodes; ++n) { // the normals stay, the rest is the motion's
+      Vec4 warp{}, weft{};
+      for (int t = patches.first[n]; t < patches.first[n + 1]; ++t) {
+        warp += patches.terms[t].warp * w.position[patches.point[t]].v;
+        weft += patches.terms[t].weft * w.position[patches.point[t]].v;
+      }
+      const double area = bending.area[block.first_node + n];
+      l.warp_moment[n] = area * warp_stiffness * (l.nx[n] * warp[0] + l.ny[n] * warp[1] + l.nz[n] * warp[2]);
+      l.weft_moment[n] = area * weft_stiffness * (l.nx[n] * weft[0] + l.ny[n] * weft[1] + l.nz[n] * weft[2]);
+      l.on_ax[n] = l.on_ay[n] = l.on_az[n] = l.on_bx[n] = l.on_by[n] = l.on_bz[n] = 0.0;
+    }
+    w.give(bending, block, block_force);
   });
-  for (std::size_t i = 0; i < images.size(); ++i)
-    images[i].hand_on(bending.slots.sum(b.block_force, nodes + static_cast<std::ptrdiff_t>(i)), s.force);
+  assemble(bending, block_force, force);
 }
 
 double bending_energy(const Bending& bending, const BendingState& b)

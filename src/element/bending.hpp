@@ -56,6 +56,11 @@ void start(const Bending& bending, std::span<const Vec3> position, BendingState&
 /// Adds the bending forces at x_n to s.force.
 void bending_forces(const Bending& bending, BendingState& b, State& s, double dt);
 
+/// Adds the forces -K u of small motions u [m] about a shape to `force`, K being that of the laws' largest slopes times
+/// `factor` at the shape's normals; moments that turn with the normals are left out. `block_force` is room to work in.
+void linear_bending_forces(const Bending& bending, double factor, std::span<const Vec3> position,
+                           std::span<const Vec3> motion, std::vector<Vec3>& block_force, std::span<Vec3> force);
+
 /// Elastic energy of bending at the state's curvatures [J].
 double bending_energy(const Bending& bending, const BendingState& b);
 

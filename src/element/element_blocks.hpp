@@ -38,6 +38,11 @@ struct ElementBlocks {
   /// have more elements than a block has places.
   ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, const YarnStrips& strips);
 
+  /// Corners of a block's places, three each.
+  [[nodiscard]] const std::uint16_t* corners(const Block& b) const
+  {
+    return corner.data() + 3 * static_cast<std::ptrdiff_t>(b.first_place);
+  }
   [[nodiscard]] int count() const { return static_cast<int>(blocks.size()); }
 };
 

@@ -1,5 +1,6 @@
 #include "element/membrane.hpp"
 #include "element/arcsine.hpp"
+#include "element/membrane_work.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <array>
@@ -65,6 +66,11 @@ MembraneCoefficients Membrane::coefficients(const ElementBlocks::Block& b) const
   return {first, first + b.places, first + 2 * b.places, first + 3 * b.places, first + 4 * b.places};
 }
 
+StripEntries Membrane::entries(const ElementBlocks::Block& b) const
+{
+  return {strips.first.data() + b.first_strip, blocks.entry.data(), b.strips};
+}
+
 double Membrane::yarn_energy(const State& s) const
 {
   double sum = 0.0;
@@ -92,14 +98,6 @@ void start(const Membrane& membrane, State& s)
 
 namespace {
 
-/// What a thread needs to compute a block.
-struct Workplace {
-  BlockLanes lanes;
-  StripLanes strips;
-  MembraneBatch batch;
-  std::array<Padded, 3 * ElementBlocks::capacity> position, force;
-};
-
 /// Sum in an order that vectors share: eight sums side by side, then these.
 double sum(const double* values, int count)
 {
@@ -110,13 +108,6 @@ double sum(const double* values, int count)
     for (int k = 0; k < side_by_side; ++k) sums[k] += values[i + k];
   for (int k = 0; i < count; ++i, ++k) sums[k] += values[i];
   return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
-}
-
-/// work(first, count) on batches of the places first .. end - 1.
-template <class Work>
-void in_batches(int first, int end, const Work& work)
-{
-  for (; first < end; first += MembraneBatch::size) work(first, std::min(MembraneBatch::size, end - first));
 }
 
 /// Any law, point by point.
@@ -138,18 +129,14 @@ public:
   BlockWork(const Membrane& membrane, const Law& law, State& s, double dt, int number, Workplace& w)
       : membrane_(membrane), law_(law), s_(s), dt_(dt), number_(number), w_(w),
         block_(membrane.blocks.blocks[number]), coefficients_(membrane.coefficients(block_)),
-        corner_(membrane.blocks.corner.data() + 3 * static_cast<std::ptrdiff_t>(block_.first_place)),
+        corner_(membrane.blocks.corners(block_)),
         spring_(membrane.own_stiffness)
   {
   }
 
   void go()
   {
-    const std::span<const int> nodes = membrane_.blocks.slots.points(block_.nodes);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      w_.position[i] = Padded(s_.position[nodes[i]]);
-      w_.force[i] = {};
-    }
+    w_.take(membrane_.blocks.slots.points(block_.nodes), s_.position);
     in_batches(0, block_.places, [&](int first, int count) {
       gather_edges(w_.position.data(), corner_ + 3 * first, count, w_.batch);
       yarn_vectors(coefficients_, w_.batch, first, count, w_.lanes);
@@ -169,8 +156,7 @@ public:
     });
     s_.shear_work[number_] += work;
     s_.shear_dissipated[number_] += dissipated;
-    Vec3* force = s_.block_force.data() + block_.nodes.first;
-    for (int i = 0; i < block_.nodes.count; ++i) force[i] = w_.force[i].vec3();
+    w_.give(block_.nodes, s_.block_force);
   }
 
 private:
@@ -178,22 +164,14 @@ private:
   void tension_of_strips()
   {
     const YarnStrips& all = membrane_.strips;
-    const ElementBlocks::Entry* entry = membrane_.blocks.entry.data();
-    BlockLanes& lanes = w_.lanes;
-    StripLanes& strips = w_.strips;
-    const int* first = all.first.data() + block_.first_strip;
-    weigh_strains(coefficients_.area, spring_, block_.places, lanes);
-    for (int i = 0; i < block_.strips; ++i) {
-      double strain = 0.0;
-      for (int k = first[i]; k < first[i + 1]; ++k) strain += lanes.weighed_strain[entry[k]];
-      strips.sum[i] = strain;
-    }
+    const StripEntries entries = membrane_.entries(block_);
+    weigh_strains(coefficients_.area, spring_, block_.places, w_.lanes);
+    sum_strips(entries, w_.lanes, w_.strips);
     const double viscosity = membrane_.yarn.stiffness * membrane_.damping_time / dt_;
     strip_tensions(membrane_.yarn, viscosity, spring_, all.area.data() + block_.first_strip,
-                   s_.strip_strain.data() + block_.first_strip, block_.strips, strips);
-    for (int i = 0; i < block_.strips; ++i)
-      for (int k = first[i]; k < first[i + 1]; ++k) lanes.base_tension[entry[k]] = strips.base_tension[i];
-    s_.yarn_damping[number_] += sum(strips.lost, block_.strips);
+                   s_.strip_strain.data() + block_.first_strip, block_.strips, w_.strips);
+    hand_out(entries, w_.strips, w_.lanes);
+    s_.yarn_damping[number_] += sum(w_.strips.lost, block_.strips);
   }
 
   /// Advances the law's points.

@@ -82,6 +82,7 @@ struct Membrane {
   [[nodiscard]] double yarn_energy(const State& s) const;
   /// What a block's elements are made of.
   [[nodiscard]] MembraneCoefficients coefficients(const ElementBlocks::Block& block) const;
+  [[nodiscard]] StripEntries entries(const ElementBlocks::Block& block) const;
 
 private:
   void fill_places();

@@ -267,6 +267,67 @@ void strip_tensions(const YarnLaw& law, double viscosity, double spring, const d
   }
 }
 
+void sum_strips(const StripEntries& s, const BlockLanes& lanes, StripLanes& strips)
+{
+  for (int i = 0; i < s.count; ++i) {
+    double strain = 0.0;
+    for (int k = s.first[i]; k < s.first[i + 1]; ++k) strain += lanes.weighed_strain[s.entry[k]];
+    strips.sum[i] = strain;
+  }
+}
+
+void hand_out(const StripEntries& s, const StripLanes& strips, BlockLanes& lanes)
+{
+  for (int i = 0; i < s.count; ++i)
+    for (int k = s.first[i]; k < s.first[i + 1]; ++k) lanes.base_tension[s.entry[k]] = strips.base_tension[i];
+}
+
+TOWFORM_VECTOR_CLONES
+void motion_strains(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count,
+                    BlockLanes& __restrict lanes)
+{
+  const double* __restrict warp_1 = c.warp_1 + first;
+  const double* __restrict warp_2 = c.warp_2 + first;
+  const double* __restrict weft_1 = c.weft_1 + first;
+  const double* __restrict weft_2 = c.weft_2 + first;
+  for (int i = 0; i < count; ++i) {
+    const int k = first + i;
+    lanes.strain[k] = lanes.f1x[k] * (warp_1[i] * b.d1x[i] + warp_2[i] * b.d2x[i]) +
+                      lanes.f1y[k] * (warp_1[i] * b.d1y[i] + warp_2[i] * b.d2y[i]) +
+                      lanes.f1z[k] * (warp_1[i] * b.d1z[i] + warp_2[i] * b.d2z[i]);
+    lanes.strain[BlockLanes::size + k] = lanes.f2x[k] * (weft_1[i] * b.d1x[i] + weft_2[i] * b.d2x[i]) +
+                                         lanes.f2y[k] * (weft_1[i] * b.d1y[i] + weft_2[i] * b.d2y[i]) +
+                                         lanes.f2z[k] * (weft_1[i] * b.d1z[i] + weft_2[i] * b.d2z[i]);
+  }
+}
+
+/// d sin(theta) = (f2 - sin f1) . da1 / lambda1 + (f1 - sin f2) . da2 / lambda2
+TOWFORM_VECTOR_CLONES
+void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLanes& __restrict lanes, int first, int count,
+                  MembraneBatch& __restrict b)
+{
+  const double* __restrict warp_1 = c.warp_1 + first;
+  const double* __restrict warp_2 = c.warp_2 + first;
+  const double* __restrict weft_1 = c.weft_1 + first;
+  const double* __restrict weft_2 = c.weft_2 + first;
+  for (int i = 0; i < count; ++i) {
+    const int k = first + i;
+    const double sine = b.sine[i];
+    const double across1 = lanes.f2x[k] * (warp_1[i] * b.d1x[i] + warp_2[i] * b.d2x[i]) +
+                           lanes.f2y[k] * (warp_1[i] * b.d1y[i] + warp_2[i] * b.d2y[i]) +
+                           lanes.f2z[k] * (warp_1[i] * b.d1z[i] + warp_2[i] * b.d2z[i]);
+    const double across2 = lanes.f1x[k] * (weft_1[i] * b.d1x[i] + weft_2[i] * b.d2x[i]) +
+                           lanes.f1y[k] * (weft_1[i] * b.d1y[i] + weft_2[i] * b.d2y[i]) +
+                           lanes.f1z[k] * (weft_1[i] * b.d1z[i] + weft_2[i] * b.d2z[i]);
+    const double turned = lanes.over_stretch[k] * (across1 - sine * lanes.strain[k]) +
+                          lanes.over_stretch[BlockLanes::size + k] *
+                              (across2 - sine * lanes.strain[BlockLanes::size + k]);
+    constexpr double least_square = 1e-12; // of the cosine
+    const double square = 1.0 - sine * sine;
+    b.force[i] = modulus * turned / std::sqrt(square > least_square ? square : least_square);
+  }
+}
+
 TOWFORM_VECTOR_CLONES
 void gather_edges(const Padded* position, const std::uint16_t* corner, int count, MembraneBatch& __restrict b)
 {

@@ -60,6 +60,12 @@ void update(const ElasticLaw& law, MembraneBatch& b, int count, double dt);
 void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& lanes, int first, int count,
                        double dt, MembraneBatch& b);
 
+/// The same of small motions, whose edges are in the batch: strains along yarns that stay as they are, and shear force at
+/// `modulus` dN/dtheta [N/m].
+void motion_strains(const MembraneCoefficients& c, const MembraneBatch& b, int first, int count, BlockLanes& lanes);
+void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLanes& lanes, int first, int count,
+                  MembraneBatch& b);
+
 /// Corner forces of tension alone.
 void tension(const MembraneCoefficients& c, double spring, const BlockLanes& lanes, int first, int count,
              MembraneBatch& b);
@@ -67,6 +73,16 @@ void tension(const MembraneCoefficients& c, double spring, const BlockLanes& lan
 /// Weighs the strains of the first `count` places; base tensions such that there is none where the strip is another
 /// block's.
 void weigh_strains(const double* area, double spring, int count, BlockLanes& lanes);
+
+/// The strips of a block by their entries.
+struct StripEntries {
+  const int* first; ///< one more than strips
+  const ElementBlocks::Entry* entry;
+  int count;
+};
+/// Sums the weighed strains of every strip's entries, and hands the strips' base tensions to their entries.
+void sum_strips(const StripEntries& s, const BlockLanes& lanes, StripLanes& strips);
+void hand_out(const StripEntries& s, const StripLanes& strips, BlockLanes& lanes);
 
 /// Base tensions of strips from the sums over their entries, `viscosity` [N/m] times the change of strain being the
 /// tension of damping; advances `strain`. `area` of each strip [m^2].

@@ -1,5 +1,6 @@
 #include "solver/model.hpp"
 #include "element/stable_step.hpp"
+#include "element/step_limit.hpp"
 #include "solver/placement.hpp"
 #include "solver/step.hpp"
 #include <algorithm>
@@ -50,45 +51,57 @@ std::vector<double> lumped(const Membrane& membrane, const std::vector<double>& 
   return mass;
 }
 
+/// Damping times from what is critical for the fastest waves, of the sheet before selective mass scaling.
+void set_damping(const MaterialParameters& material, std::span<const Vec3> flat, Model& model)
+{
+  const double near = 1e-6; // any: there is no damping yet
+  model.membrane.damping_time =
+      material.yarn_damping *
+      StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus).at(flat, near);
+  for (Bending& bending : model.bending) {
+    const auto squares = bending.frequency_bound(model.mass);
+    bending.damping_time =
+        material.bending_damping * 2.0 / std::sqrt(*std::max_element(squares.begin(), squares.end()));
+  }
+}
+
+/// Makes elements heavier until the stable step of the flat sheet is `wanted` [s]. Heavier elements change what their
+/// neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
+void scale_masses(double wanted, const State& flat, Model& model)
+{
+  constexpr int most_rounds = 20;
+  constexpr double aim = 1.001;
+  for (int round = 0; round < most_rounds; ++round) {
+    const StepBound bound(model.membrane, model.element_mass, model.shear_modulus, model.bending);
+    model.first_look = look_at_step(model, bound, flat);
+    if (model.first_look.step >= wanted) return;
+    const auto factors = bound.mass_factors(flat, aim * wanted / model.first_look.over_bound());
+    for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
+    model.mass = lumped(model.membrane, model.element_mass, flat.position.size());
+  }
+}
+
 /// Masses, steps and contact stiffnesses: what depends on one another.
 void set_inertia(const Case& c, Model& model)
 {
-  Membrane& membrane = model.membrane;
+  const Membrane& membrane = model.membrane;
   State sheet;
   sheet.position = model.blank.mesh.points;
   const double per_area = c.material.constituents.density * c.blank.thickness;
   const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
   for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
+  model.mass = lumped(membrane, model.element_mass, sheet.position.size());
   model.step_factor =
       std::min(c.time.safety * std::sqrt(1.0 - c.contact.penalty), std::sqrt(c.contact.room()));
-  membrane.damping_time =
-      c.material.yarn_damping * StepBound(membrane, model.element_mass, model.shear_modulus).at(sheet).step;
-  for (Bending& bending : model.bending) {
-    const auto squares = bending.frequency_bound(lumped(membrane, model.element_mass, sheet.position.size()));
-    bending.damping_time =
-        c.material.bending_damping * 2.0 / std::sqrt(*std::max_element(squares.begin(), squares.end()));
-  }
-  const auto bound = [&] {
-    return StepBound(membrane, model.element_mass, model.shear_modulus, model.bending);
-  };
-  if (c.time.step) {
-    // Heavier elements change what their neighbours' patches are given: a few rounds reach the step.
-    constexpr int most_rounds = 20;
-    constexpr double aim = 1.001;
-    const double wanted = *c.time.step / model.step_factor;
-    for (int round = 0; round < most_rounds && bound().at(sheet).step < wanted; ++round) {
-      const auto factors = bound().mass_factors(sheet, aim * wanted);
-      for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
-    }
-  }
+  set_damping(c.material, sheet.position, model);
+  scale_masses(c.time.step.value_or(0.0) / model.step_factor, sheet, model);
   model.added_mass_fraction =
       std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0;
   double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
   for (std::size_t e = 0; e < membrane.area.size(); ++e)
     lightest = std::min(lightest, model.element_mass[e] / membrane.area[e]);
   model.wave_speed = std::sqrt(membrane.yarn.stiffness / lightest);
-  model.mass = lumped(membrane, model.element_mass, sheet.position.size());
-  model.first_step = model.step_factor * bound().at(sheet).step;
+  model.first_step = model.step_factor * model.first_look.step;
 
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
     model.contacts.emplace_back(model.tools[i], static_cast<int>(i), 0.5 * c.blank.thickness, c.contact.penalty,
@@ -160,6 +173,14 @@ double mirror_factor(Symmetry symmetry)
 }
 
 } // namespace
+
+StepLook look_at_step(const Model& model, const StepBound& bound, const State& s)
+{
+  const StableStep guaranteed = bound.at(s);
+  const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending);
+  const double measured = limit.at(s.position, guaranteed.step);
+  return {measured > guaranteed.step ? measured : guaranteed.step, guaranteed.step};
+}
 
 Model build_model(const Case& c)
 {

@@ -2,6 +2,7 @@
 #include "contact/contact.hpp"
 #include "element/bending.hpp"
 #include "element/membrane.hpp"
+#include "element/stable_step.hpp"
 #include "solver/boundary.hpp"
 #include "solver/gravity.hpp"
 #include "solver/pressure.hpp"
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace towform {
+
+/// The sheet's stable step at some time, as measured (StepLimit), beside the guaranteed one (StepBound) [s].
+struct StepLook {
+  double step = 0.0, bound = 0.0;
+  [[nodiscard]] double over_bound() const { return step / bound; }
+};
 
 /// What a case becomes: everything that does not change while it runs.
 struct Model {
@@ -26,6 +33,7 @@ struct Model {
   double mass_damping = 0.0;        ///< [1/s]
   double shear_modulus = 0.0;       ///< bound of dN/dtheta, for the stable step [N/m]
   double step_factor = 1.0;         ///< step over the sheet's stable step: safety, and room for contact
+  StepLook first_look;              ///< of the flat sheet
   double first_step = 0.0;          ///< [s]; later steps are never longer
   double temperature = 0.0;         ///< of the sheet [K]
   double mirror_factor = 1.0;       ///< whole sheet over the modelled part
@@ -55,6 +63,9 @@ struct System {
 /// unreadable meshes, constituents out of range, a blank that starts inside a tool or that no tool can meet,
 /// a picture frame opened too far.
 Model build_model(const Case& c);
+
+/// Measures the sheet's stable step: as long as some forty steps.
+StepLook look_at_step(const Model& model, const StepBound& bound, const State& s);
 
 /// The system at rest at time 0, its forces not yet known.
 System at_rest(const Model& model);

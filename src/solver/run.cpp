@@ -17,12 +17,16 @@ namespace towform {
 
 namespace {
 
-/// The present stable step, never longer than the first; `element` gets one of those that set it.
-double present_step(const Model& model, const StepBound& bound, const System& s, std::optional<int>& element)
+/// The present stable step, never longer than the first; `element` gets one of those that set it. It follows the bound, which is
+/// quickly found; how far the limit lies above that is measured again once the bound has moved on.
+double present_step(const Model& model, const StepBound& bound, const System& s, StepLook& last,
+                    std::optional<int>& element)
 {
+  constexpr double moved = 0.03;
   const StableStep stable = bound.at(s.sheet);
   element = stable.element;
-  const double step = std::min(model.first_step, model.step_factor * stable.step);
+  if (!(std::abs(stable.step - last.bound) < moved * last.bound)) last = look_at_step(model, bound, s.sheet);
+  const double step = std::min(model.first_step, model.step_factor * last.over_bound() * stable.step);
   constexpr double collapse = 0.05;
   if (!(step > collapse * model.first_step))
     throw RunStopped(
@@ -60,6 +64,7 @@ public:
     record_ = &run_.record;
     event_ = &run_.event;
     run_.system = session.resumes() ? at_rest(model_) : start(model_);
+    run_.look = model_.first_look;
     run_.record.summary.energies_J = listed(Energies{});
     session.begin(run_.record, [this](FieldVisitor& v) { visit(v, run_); });
     recorder_.emplace(case_, model_, session.directory(), run_.record);
@@ -127,7 +132,7 @@ private:
       }
       session_.progress().update(progress());
       if (stride.arrives) return true;
-      stride = next_stride(time, present_step(model_, bound_, s, limiting_), s.sheet.time);
+      stride = next_stride(time, present_step(model_, bound_, s, run_.look, limiting_), s.sheet.time);
       run_.phases.mark(Phase::stable_step);
     }
   }
@@ -146,7 +151,7 @@ RunOutcome go(Session& session, int thread_count)
   return ExplicitRun(session, thread_count).go();
 }
 
-/// A run that has ended well leaves no checkpoint.
+/// A run that has ended well leaves no checkpoint. What cannot be read is not done: another run may be writing it.
 bool is_done(const std::filesystem::path& directory)
 {
   std::error_code ignored;
@@ -154,8 +159,12 @@ bool is_done(const std::filesystem::path& directory)
   if (!std::filesystem::exists(results, ignored) ||
       std::filesystem::exists(checkpoint_path(directory), ignored))
     return false;
-  const hdf5::File file = hdf5::File::open(results, hdf5::File::Mode::read);
-  return hdf5::text_attribute(file.id(), "status") == "done";
+  try {
+    const hdf5::File file = hdf5::File::open(results, hdf5::File::Mode::read);
+    return hdf5::text_attribute(file.id(), "status") == "done";
+  } catch (const FileError&) {
+    return false;
+  }
 }
 
 } // namespace

@@ -176,9 +176,12 @@ void visit(FieldVisitor& v, Record& s)
 
 void visit(FieldVisitor& v, RunState& s)
 {
-  auto& [system, stride, event, record, phases] = s;
+  auto& [system, look, stride, event, record, phases] = s;
+  auto& [measured, bound] = look;
   auto& [dt, steps_left, arrives] = stride;
   visit(v, system);
+  v("look.step", measured);
+  v("look.bound", bound);
   v("stride.dt", dt);
   v("stride.steps_left", steps_left);
   v("stride.arrives", arrives);

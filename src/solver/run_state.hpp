@@ -27,6 +27,7 @@ struct Stride {
 /// bits.
 struct RunState {
   System system;
+  StepLook look; ///< when the stable step was last measured
   Stride stride;
   std::int64_t event = 0; ///< the next output of the case, from 0
   Record record;

@@ -1,0 +1,66 @@
+#include "element/linear_sheet.hpp"
+#include "element/membrane_work.hpp"
+#include "parallel/parallel.hpp"
+#include <memory>
+
+namespace towform {
+
+namespace {
+
+void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int number, Workplace& w,
+                  std::span<Vec3> block_force)
+{
+  const Membrane& membrane = sheet.membrane;
+  const ElementBlocks::Block& block = membrane.blocks.blocks[number];
+  const MembraneCoefficients coefficients = membrane.coefficients(block);
+  const std::uint16_t* corner = membrane.blocks.corners(block);
+  const std::span<const int> nodes = membrane.blocks.slots.points(block.nodes);
+  const double spring = membrane.own_stiffness;
+  w.take(nodes, sheet.position);
+  in_batches(0, block.places, [&](int first, int count) {
+    gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
+    yarn_vectors(coefficients, w.batch, first, count, w.lanes);
+  });
+  w.take(nodes, motion);
+  in_batches(0, block.places, [&](int first, int count) {
+    gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
+    motion_strains(coefficients, w.batch, first, count, w.lanes);
+  });
+  const StripEntries entries = membrane.entries(block);
+  weigh_strains(coefficients.area, spring, block.places, w.lanes);
+  sum_strips(entries, w.lanes, w.strips);
+  const double stiffness = sheet.yarn_factor * membrane.yarn.stiffness - spring;
+  for (int i = 0; i < block.strips; ++i)
+    w.strips.base_tension[i] = stiffness * w.strips.sum[i] / membrane.strips.area[block.first_strip + i];
+  hand_out(entries, w.strips, w.lanes);
+  in_batches(0, block.own, [&](int first, int count) {
+    shear_angles(w.lanes, first, count, 0.0, w.batch);
+    gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
+    motion_shear(coefficients, sheet.shear_modulus, w.lanes, first, count, w.batch);
+    shear_and_tension(coefficients, spring, w.lanes, first, count, 1.0, w.batch);
+    add_forces(w.batch, corner + 3 * first, count, w.force.data());
+  });
+  in_batches(block.own, block.places, [&](int first, int count) {
+    tension(coefficients, spring, w.lanes, first, count, w.batch);
+    add_forces(w.batch, corner + 3 * first, count, w.force.data());
+  });
+  w.give(block.nodes, block_force);
+}
+
+} // namespace
+
+void linear_forces(const LinearSheet& sheet, std::span<const Vec3> motion, LinearForces& f)
+{
+  const ElementBlocks& blocks = sheet.membrane.blocks;
+  f.block_force.resize(blocks.slots.count());
+  f.force.resize(motion.size());
+  parallel_each(blocks.count(), [&](int number) {
+    static thread_local const std::unique_ptr<Workplace> workplace = std::make_unique<Workplace>();
+    linear_block(sheet, motion, number, *workplace, f.block_force);
+  });
+  assemble(blocks, f.block_force, f.force);
+  for (const Bending& bending : sheet.bending)
+    linear_bending_forces(bending, sheet.bending_factor, sheet.position, motion, f.bending_block_force, f.force);
+}
+
+} // namespace towform

@@ -1,0 +1,38 @@
+#pragma once
+#include "element/membrane_lanes.hpp"
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace towform {
+
+/// What a thread needs to compute a block.
+struct Workplace {
+  BlockLanes lanes;
+  StripLanes strips;
+  MembraneBatch batch;
+  std::array<Padded, 3 * ElementBlocks::capacity> position, force;
+
+  /// Brings a block's nodes near; their forces begin at nothing.
+  void take(std::span<const int> nodes, std::span<const Vec3> of_all)
+  {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      position[i] = Padded(of_all[nodes[i]]);
+      force[i] = {};
+    }
+  }
+  void give(const BlockSlots::Range& nodes, std::span<Vec3> block_force) const
+  {
+    Vec3* to = block_force.data() + nodes.first;
+    for (int i = 0; i < nodes.count; ++i) to[i] = force[i].vec3();
+  }
+};
+
+/// work(first, count) on batches of the places first .. end - 1.
+template <class Work>
+void in_batches(int first, int end, const Work& work)
+{
+  for (; first < end; first += MembraneBatch::size) work(first, std::min(MembraneBatch::size, end - first));
+}
+
+} // namespace towform

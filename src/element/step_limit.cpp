@@ -1,0 +1,128 @@
+#include "element/step_limit.hpp"
+#include "parallel/parallel.hpp"
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace towform {
+
+namespace {
+
+constexpr int most_vectors = 80;
+constexpr double close_enough = 0.005; ///< what may be left, over the eigenvalue
+
+/// body(begin, end) on blocks of nodes, its results summed in their order: the same for any number of threads.
+template <class Body>
+double sum_over(std::size_t nodes, const Body& body)
+{
+  constexpr std::size_t block = 1024;
+  const std::size_t blocks = (nodes + block - 1) / block;
+  std::vector<double> sums(blocks);
+  parallel_each(static_cast<int>(blocks), [&](int b) {
+    const std::size_t begin = static_cast<std::size_t>(b) * block;
+    sums[static_cast<std::size_t>(b)] = body(begin, std::min(nodes, begin + block));
+  });
+  double sum = 0.0;
+  for (const double s : sums) sum += s;
+  return sum;
+}
+
+double product(std::span<const Vec3> a, std::span<const Vec3> b)
+{
+  return sum_over(a.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t n = begin; n < end; ++n) sum += dot(a[n], b[n]);
+    return sum;
+  });
+}
+
+void scale(std::span<Vec3> v, double by)
+{
+  for (Vec3& x : v) x *= by;
+}
+
+/// The same signs every time.
+std::vector<Vec3> random_signs(std::size_t nodes)
+{
+  std::uint64_t bits = 0x9e3779b97f4a7c15ULL;
+  const auto sign = [&] {
+    bits ^= bits << 13; // xorshift (Marsaglia 2003)
+    bits ^= bits >> 7;
+    bits ^= bits << 17;
+    return bits >> 63 == 0 ? 1.0 : -1.0;
+  };
+  std::vector<Vec3> v(nodes);
+  for (Vec3& x : v) {
+    const double a = sign(), b = sign(), c = sign();
+    x = {a, b, c};
+  }
+  return v;
+}
+
+} // namespace
+
+StepLimit::StepLimit(const Blank& blank, const Membrane& membrane, std::span<const double> mass, double shear_modulus,
+                     std::span<const Bending> bending)
+    : blank_(blank), membrane_(membrane), bending_(bending), shear_modulus_(shear_modulus)
+{
+  for (const double m : mass) over_root_mass_.push_back(1.0 / std::sqrt(m));
+  for (const Bending& b : bending) bending_damping_time_ = std::max(bending_damping_time_, b.damping_time);
+}
+
+void StepLimit::hold_on_mirrors(std::span<Vec3> v) const
+{
+  for (const int n : blank_.mirror_x) v[n].x = 0.0;
+  for (const int n : blank_.mirror_y) v[n].y = 0.0;
+}
+
+double StepLimit::largest_frequency_squared(const LinearSheet& sheet) const
+{
+  const std::size_t nodes = over_root_mass_.size();
+  std::vector<Vec3> now = random_signs(nodes), before(nodes), motion(nodes);
+  hold_on_mirrors(now);
+  scale(now, 1.0 / std::sqrt(product(now, now)));
+  std::vector<double> diagonal, beside;
+  LinearForces work;
+  double result = 0.0;
+  while (static_cast<int>(diagonal.size()) < most_vectors) {
+    for (std::size_t n = 0; n < nodes; ++n) motion[n] = over_root_mass_[n] * now[n];
+    linear_forces(sheet, motion, work);
+    std::vector<Vec3>& next = work.force;
+    hold_on_mirrors(next);
+    for (std::size_t n = 0; n < nodes; ++n) next[n] *= -over_root_mass_[n];
+    diagonal.push_back(product(now, next));
+    const double back = beside.empty() ? 0.0 : beside.back();
+    for (std::size_t n = 0; n < nodes; ++n) next[n] -= diagonal.back() * now[n] + back * before[n];
+    const double left = std::sqrt(product(next, next));
+
+    const auto count = static_cast<Eigen::Index>(diagonal.size());
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> small;
+    small.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), count),
+                                 Eigen::Map<const Eigen::VectorXd>(beside.data(), count - 1));
+    const double largest = small.eigenvalues()(count - 1);
+    const double residual = left * std::abs(small.eigenvectors()(count - 1, count - 1));
+    result = largest + residual;
+    if (residual <= close_enough * largest) break;
+    beside.push_back(left);
+    before.swap(now);
+    for (std::size_t n = 0; n < nodes; ++n) now[n] = (1.0 / left) * next[n];
+  }
+  return result;
+}
+
+double StepLimit::at(std::span<const Vec3> position, double near) const
+{
+  LinearSheet sheet{membrane_, bending_, shear_modulus_, position};
+  double limit = near;
+  constexpr int rounds = 2; // damping changes little with the step
+  for (int round = 0; round < rounds; ++round) {
+    sheet.yarn_factor = 1.0 + 2.0 * membrane_.damping_time / limit;
+    sheet.bending_factor = 1.0 + 2.0 * bending_damping_time_ / limit;
+    limit = 2.0 / std::sqrt(largest_frequency_squared(sheet));
+    if (membrane_.damping_time == 0.0 && bending_damping_time_ == 0.0) break;
+  }
+  return limit;
+}
+
+} // namespace towform

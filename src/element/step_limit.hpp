@@ -1,0 +1,33 @@
+#pragma once
+#include "element/linear_sheet.hpp"
+#include "towform/blank.hpp"
+
+namespace towform {
+
+/// The true limit of the time step of central differences on a sheet, without contact, measured: Lanczos' method finds the largest
+/// eigenvalue of M^-1 K from a start of random signs, and what is left of it when the search ends is added to it, so that the result
+/// is on the safe side of the eigenvalue (Zhou and Li, Linear Algebra Appl. 435 (2011) 480-493). K is LinearSheet's; nodes stay
+/// on their mirror planes. Damping in proportion to stiffness, C = tau K, acts in a step dt like a stiffness 2 C / dt: the limit is the
+/// root of dt^2 omega^2(K + 2 C / dt) = 4.
+class StepLimit {
+public:
+  /// `mass` of each node [kg]; `shear_modulus` bounds dN/dtheta [N/m]. All must outlive this.
+  StepLimit(const Blank& blank, const Membrane& membrane, std::span<const double> mass, double shear_modulus,
+            std::span<const Bending> bending = {});
+
+  /// The limit at a shape [s]; `near` is one that it is expected near to, the step whose damping is counted first.
+  [[nodiscard]] double at(std::span<const Vec3> position, double near) const;
+
+private:
+  [[nodiscard]] double largest_frequency_squared(const LinearSheet& sheet) const;
+  void hold_on_mirrors(std::span<Vec3> v) const;
+
+  const Blank& blank_;
+  const Membrane& membrane_;
+  std::span<const Bending> bending_;
+  double shear_modulus_;
+  double bending_damping_time_ = 0.0;
+  std::vector<double> over_root_mass_; // n
+};
+
+} // namespace towform

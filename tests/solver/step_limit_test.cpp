@@ -1,0 +1,134 @@
+#include "element/step_limit.hpp"
+#include "solver/bare_sheet.hpp"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace towform {
+namespace {
+
+/// The largest frequency of the whole sheet, linearised at a shape: power iteration on differences of its real forces.
+double true_limit(const Model& model, const std::vector<Vec3>& shape)
+{
+  const auto forces = [&](const std::vector<Vec3>& x) {
+    System s = at_rest(model);
+    s.sheet.position = x;
+    start(model.membrane, s.sheet);
+    for (std::size_t i = 0; i < model.bending.size(); ++i) start(model.bending[i], x, s.bending[i]);
+    Phases untimed;
+    evaluate_forces(model, s, 1e-12, untimed);
+    return s.sheet.force;
+  };
+  const std::vector<Vec3> rest = forces(shape);
+  System moving = at_rest(model);
+  test::shake(moving, 1.0);
+  std::vector<Vec3> mode = moving.sheet.velocity;
+  double omega_squared = 0.0;
+  for (int k = 0; k < 1500; ++k) {
+    double size = 0.0, next = 0.0;
+    for (const Vec3& m : mode) size += norm_squared(m);
+    std::vector<Vec3> x = shape;
+    const double step = 1e-8 / std::sqrt(size);
+    for (std::size_t n = 0; n < x.size(); ++n) x[n] += step * mode[n];
+    const std::vector<Vec3> there = forces(x);
+    for (std::size_t n = 0; n < x.size(); ++n) {
+      mode[n] = (1.0 / (model.mass[n] * step)) * (rest[n] - there[n]);
+      next += norm_squared(mode[n]);
+    }
+    omega_squared = std::sqrt(next / size);
+    for (Vec3& m : mode) m *= 1.0 / std::sqrt(next);
+  }
+  return 2.0 / std::sqrt(omega_squared);
+}
+
+double measured(const Model& model, const std::vector<Vec3>& shape)
+{
+  return StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending).at(shape, 1e-6);
+}
+
+Case sheet(Pattern pattern, double degrees)
+{
+  Case c = test::bare_sheet();
+  c.blank.pattern = pattern;
+  c.blank.fibre_angle = degrees * M_PI / 180.0;
+  return c;
+}
+
+constexpr Pattern all_patterns[] = {Pattern::diagonal, Pattern::cross, Pattern::unstructured};
+
+TEST(StepLimit, IsTheTrueLimitOfFlatAndShearedSheets)
+{
+  for (const Pattern pattern : all_patterns)
+    for (const double degrees : {0.0, 30.0})
+      for (const double shear : {0.0, 0.7}) {
+        const Model model = build_model(sheet(pattern, degrees));
+        std::vector<Vec3> shape = model.blank.mesh.points;
+        for (Vec3& p : shape) { // yarns keep their lengths
+          const double along = dot(p, model.blank.warp), across = dot(p, model.blank.weft);
+          p = {along + std::sin(shear) * across, std::cos(shear) * across * 0.8, std::cos(shear) * across * 0.6};
+        }
+        const double truth = true_limit(model, shape), found = measured(model, shape);
+        const double bound = StepBound(model.membrane, model.element_mass, model.shear_modulus)
+                                 .at(start(model).sheet)
+                                 .step;
+        EXPECT_LT(found, 1.005 * truth) << static_cast<int>(pattern) << ", " << degrees << ", " << shear;
+        EXPECT_GT(found, 0.98 * truth) << static_cast<int>(pattern) << ", " << degrees << ", " << shear;
+        EXPECT_TRUE(shear > 0.0 || found > bound) << found << ", " << bound;
+      }
+}
+
+TEST(StepLimit, CountsBending)
+{
+  for (const Pattern pattern : all_patterns)
+    for (const double modulus : {1e6, 1e8}) {
+      Case c = sheet(pattern, 30.0);
+      c.material.fibre_modulus = modulus;
+      c.material.bending_stiffness = Vec2{1.0, 0.5};
+      const Model model = build_model(c);
+      const double truth = true_limit(model, model.blank.mesh.points);
+      EXPECT_NEAR(measured(model, model.blank.mesh.points), truth, 0.02 * truth) << static_cast<int>(pattern);
+    }
+}
+
+TEST(StepLimit, AQuarterHasTheLimitOfTheWhole)
+{
+  Case c = sheet(Pattern::cross, 0.0);
+  c.blank.elements = 640;
+  const Model whole = build_model(c);
+  c.blank.symmetry = Symmetry::quarter;
+  const Model quarter = build_model(c);
+  EXPECT_NEAR(quarter.first_look.step, whole.first_look.step, 0.02 * whole.first_look.step);
+}
+
+/// Largest energy over the first during 4000 steps of `factor` times the limit; infinite once it has run away.
+double growth(const Case& c, double factor)
+{
+  const Model model = build_model(c);
+  System s = start(model);
+  test::shake(s, 0.01);
+  const double dt = factor * model.first_look.step;
+  test::step_on(model, s, dt, 1);
+  const double first = test::moving_energy(model, s);
+  double most = first;
+  for (int i = 0; i < 200; ++i) {
+    test::step_on(model, s, dt, 20);
+    const double now = test::moving_energy(model, s);
+    if (!(now < 1e6 * first)) return HUGE_VAL;
+    most = std::max(most, now);
+  }
+  return most / first;
+}
+
+TEST(StepLimit, HoldsJustBelowAndBreaksJustAbove)
+{
+  for (const Pattern pattern : all_patterns)
+    for (const double damping : {0.0, 0.3}) {
+      Case c = sheet(pattern, 30.0);
+      c.material.yarn_damping = damping;
+      // With damping near the limit the account breathes.
+      EXPECT_LT(growth(c, 0.98), damping > 0.0 ? 2.0 : 1.1) << static_cast<int>(pattern) << ", damping " << damping;
+      EXPECT_EQ(growth(c, 1.03), HUGE_VAL) << static_cast<int>(pattern) << ", damping " << damping;
+    }
+}
+
+} // namespace
+} // namespace towform
