@@ -23,6 +23,7 @@ struct ToolParameters {
   std::optional<double> force; ///< along `axis` [N]; the tool then moves as a rigid body along it
   Axis axis = Axis::z;         ///< of the force
   double mass = 0.0;           ///< of a force-driven tool [kg]
+  double damping = 0.0;        ///< of its motion on what it touches, fraction of critical
 };
 
 /// Edges of the blank that a specimen test holds and moves.

@@ -141,6 +141,7 @@ std::vector<Row> all_rows()
     {"tool.force", AT(tool->force), D::force, optional, "", "pushes the tool along axis; this or motion, neither fixes it"},
     {"tool.axis", words(AT(tool->axis), axes), D::none, "z", "", "of the force", "tool.force"},
     {"tool.mass", AT(tool->mass), D::mass, "0.5 kg", "> 0", "of the tool that the force moves", "tool.force"},
+    {"tool.damping", AT(tool->damping), D::none, "0.1", "0 .. 1", "of its motion on the sheet, fraction of critical", "tool.force"},
     {"tool.motion.axis", words(AT(motion()->axis), axes), D::none, "z", "", "of the motion"},
     {"tool.motion.profile", words(AT(motion()->profile), {"constant", "smooth", "table"}), D::none, "constant", "", "of the speed; smooth starts and ends at rest"},
     {"tool.motion.displacement", MotionAmount{Motion::Quantity::displacement}, D::length, optional, "", "reached at time.end; this or velocity"},

@@ -4,33 +4,42 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace towform {
 
 Contact::Contact(const Tool& its_tool, int number, double half, double beta, double zeta, double dt)
     : tool(number), half_thickness(half), stiffness_per_mass(beta / (dt * dt)),
       damping_per_mass(2.0 * zeta * std::sqrt(beta) / dt),
-      // Facets within four half thicknesses serve nodes up to two from the tool.
-      neighbours(std::make_unique<const FacetNeighbours>(its_tool.surface, 4.0 * half))
+      // Facets within six half thicknesses serve nodes up to three from the tool.
+      neighbours(std::make_unique<const FacetNeighbours>(its_tool.surface, 6.0 * half))
 {
 }
 
 void start(const Contact&, std::size_t nodes, ContactState& c)
 {
-  for (std::vector<double>* v : {&c.stick_x, &c.stick_y, &c.stick_z, &c.normal_force})
-    v->assign(nodes, 0.0);
+  constexpr std::size_t group = NodeLanes::group;
+  const std::size_t groups = (nodes + group - 1) / group, padded = groups * group;
+  for (std::vector<double>* v : {&c.stick_x, &c.stick_y, &c.stick_z, &c.normal_force}) v->assign(padded, 0.0);
   ContactPlanes& p = c.planes;
-  for (std::vector<double>* v : {&p.normal_x, &p.normal_y, &p.normal_z, &p.offset, &p.anchor_x, &p.anchor_y,
-                                 &p.anchor_z})
-    v->assign(nodes, 0.0);
-  p.reach_squared.assign(nodes, -1.0);
+  for (std::vector<double>* v : {&p.normal_x, &p.normal_y, &p.normal_z}) v->assign(padded, 0.0);
+  for (std::vector<float>* v : {&p.anchor_x, &p.anchor_y, &p.anchor_z}) v->assign(padded, 0.0F);
+  p.offset.assign(padded, no_plane);
+  p.reach_squared.assign(nodes, -1.0F);
+  p.reach_squared.resize(padded, HUGE_VALF); // padding never wakes
   p.facet.assign(nodes, -1);
+  p.rival.assign(nodes, -1);
+  p.rival_reach.assign(nodes, -1.0F);
+  p.near.assign(groups, 0);
+  p.touching.assign(groups, 1); // a state that is read may hold forces
 }
 
 namespace {
 
 /// Nodes are taken in blocks: a block belongs to one thread, and sums run over blocks in their order.
 constexpr int block_size = NodeLanes::size;
+constexpr int groups_a_block = block_size / NodeLanes::group;
+using BlockMarks = std::array<std::int32_t, block_size>;
 
 /// A contact as its blocks see it.
 struct Meeting {
@@ -43,56 +52,133 @@ struct Meeting {
 ContactLanes lanes_from(ContactState& c, int n)
 {
   ContactPlanes& p = c.planes;
-  return {p.normal_x.data() + n,     p.normal_y.data() + n, p.normal_z.data() + n, p.offset.data() + n,
-          p.anchor_x.data() + n,     p.anchor_y.data() + n, p.anchor_z.data() + n, p.reach_squared.data() + n,
-          c.stick_x.data() + n,      c.stick_y.data() + n,  c.stick_z.data() + n,  c.normal_force.data() + n};
+  const int g = n / NodeLanes::group;
+  return {p.normal_x.data() + n, p.normal_y.data() + n, p.normal_z.data() + n, p.offset.data() + n,
+          p.anchor_x.data() + n, p.anchor_y.data() + n, p.anchor_z.data() + n, p.reach_squared.data() + n,
+          c.stick_x.data() + n,  c.stick_y.data() + n,  c.stick_z.data() + n,  c.normal_force.data() + n,
+          p.near.data() + g,     p.touching.data() + g};
+}
+
+/// A reach as single precision tells it, from an anchor that is rounded too.
+float told(double reach, const Vec3& anchor)
+{
+  constexpr double rounding = 4e-7;
+  const double sure = reach - rounding * (std::abs(anchor.x) + std::abs(anchor.y) + std::abs(anchor.z));
+  return sure > 0.0 ? static_cast<float>(sure * (1.0 - 1e-6)) : -1.0F;
+}
+
+void set_anchor(ContactPlanes& planes, int node, const Vec3& p)
+{
+  planes.anchor_x[node] = static_cast<float>(p.x);
+  planes.anchor_y[node] = static_cast<float>(p.y);
+  planes.anchor_z[node] = static_cast<float>(p.z);
+}
+
+double from_anchor(const ContactPlanes& planes, int node, const Vec3& p)
+{
+  return norm(p - Vec3{planes.anchor_x[node], planes.anchor_y[node], planes.anchor_z[node]});
+}
+
+/// The nearest point where a node is still nearest to the edge that it was found at.
+std::optional<FacetNeighbours::Nearest> at_the_same_edge(const Meeting& m, const Vec3& p, int node)
+{
+  ContactPlanes& planes = m.state.planes;
+  if (planes.rival[node] < 0 || from_anchor(planes, node, p) > planes.rival_reach[node]) return {};
+  const SurfacePoint point = m.tool.surface.nearest_of(p, planes.facet[node], planes.rival[node]);
+  if (point.inside && m.contact.neighbours->is_well_inside(p, point.facet)) return {}; // it may have a plane again
+  if (point.facet != planes.facet[node]) std::swap(planes.facet[node], planes.rival[node]);
+  return FacetNeighbours::Nearest{point};
+}
+
+FacetNeighbours::Nearest nearest(const Meeting& m, const Vec3& p, int node)
+{
+  ContactPlanes& planes = m.state.planes;
+  const FacetNeighbours::Nearest found = m.contact.neighbours->nearest(p, planes.facet[node]);
+  set_anchor(planes, node, p);
+  planes.facet[node] = found.point.facet;
+  planes.rival[node] = found.rival;
+  planes.rival_reach[node] = told(found.rival_reach, p);
+  return found;
+}
+
+/// A node that was away from the tool and still is: how far away will do.
+bool is_still_away(const Meeting& m, const Vec3& p, int node)
+{
+  ContactPlanes& planes = m.state.planes;
+  if (!(planes.reach_squared[node] > 0.0F) || planes.offset[node] > no_plane) return false;
+  const auto far = m.contact.neighbours->far(p, planes.facet[node]);
+  if (!far) return false;
+  const float reach = told(far->distance - m.contact.half_thickness, p);
+  planes.facet[node] = far->facet;
+  planes.rival[node] = -1;
+  set_anchor(planes, node, p);
+  planes.reach_squared[node] = reach * reach;
+  return true;
 }
 
 /// Search: the tool's point nearest to p [tool's frame], and the plane that tells it from now on.
 void search(const Meeting& m, const Vec3& p, int node)
 {
+  if (is_still_away(m, p, node)) return;
   ContactPlanes& planes = m.state.planes;
-  int& facet = planes.facet[node];
-  std::optional<FacetNeighbours::Nearest> nearest;
-  if (facet >= 0) nearest = m.contact.neighbours->nearest(p, facet);
-  if (!nearest) {
-    facet = m.tool.surface.nearest(p, facet).facet;
-    nearest = m.contact.neighbours->nearest(p, facet);
-    if (!nearest) nearest = FacetNeighbours::Nearest{m.tool.surface.at(p, facet), 0.0};
-  }
-  const SurfacePoint& point = nearest->point;
-  facet = point.facet;
-  planes.anchor_x[node] = p.x;
-  planes.anchor_y[node] = p.y;
-  planes.anchor_z[node] = p.z;
+  const auto known = at_the_same_edge(m, p, node);
+  const FacetNeighbours::Nearest found = known ? *known : nearest(m, p, node);
+  const SurfacePoint& point = found.point;
   // Behind the rim of an open surface there is no tool.
   const bool behind_rim = point.distance < 0.0 && point.on_border;
   const double gap = behind_rim ? 0.0 : (point.distance - m.contact.half_thickness) * (1.0 - 1e-9);
-  const double reach = std::max(nearest->reach, gap);
-  planes.reach_squared[node] = reach > 0.0 ? reach * reach : -1.0;
+  const double reach = std::max(found.reach, gap);
+  if (known && reach > 0.0) {
+    planes.rival_reach[node] -= static_cast<float>(from_anchor(planes, node, p) * (1.0 + 1e-6));
+    set_anchor(planes, node, p);
+  }
+  const float sure = told(reach, p);
+  planes.reach_squared[node] = sure > 0.0F ? sure * sure : -1.0F;
   planes.normal_x[node] = point.normal.x;
   planes.normal_y[node] = point.normal.y;
   planes.normal_z[node] = point.normal.z;
-  if (behind_rim || gap > nearest->reach)
+  if (behind_rim || gap > found.reach)
     planes.offset[node] = no_plane;
   else if (point.inside)
-    planes.offset[node] = m.tool.surface.tree().facet(facet).offset;
+    planes.offset[node] = m.tool.surface.tree().facet(point.facet).offset;
   else
     planes.offset[node] = dot(point.normal, p) - point.distance;
+  const int group = node / NodeLanes::group, first = group * NodeLanes::group;
+  planes.near[group] = std::any_of(planes.offset.begin() + first, planes.offset.begin() + first + NodeLanes::group,
+                                   [](double offset) { return offset > no_plane; })
+                           ? 1
+                           : 0;
 }
 
 /// A tool against a block of nodes: search, gap, force, friction.
 ContactSums meet(const Meeting& m, NodeLanes& nodes, const double* mass, int first, int count)
 {
   const ContactLanes lanes = lanes_from(m.state, first);
-  std::array<long long, block_size> marks;
-  const Awake awake = look(nodes, lanes, m.law, count, marks.data());
-  if (awake.marked > 0)
+  const auto search_marked = [&](const BlockMarks& marks) {
     for (int i = 0; i < count; ++i)
       if (marks[i] != 0) search(m, Vec3{nodes.x[i], nodes.y[i], nodes.z[i]} - m.law.shift, first + i);
-  return awake.near + awake.marked > 0 ? push(nodes, lanes, mass, m.law, count) : ContactSums{};
+  };
+  BlockMarks out, behind;
+  if (look(nodes, lanes, m.law.shift, count, out.data()) > 0) search_marked(out);
+  std::array<std::uint8_t, groups_a_block> groups;
+  int awake = 0;
+  for (int g = 0; g * NodeLanes::group < count; ++g) {
+    groups[awake] = static_cast<std::uint8_t>(g);
+    awake += lanes.near[g] | lanes.touching[g];
+  }
+  if (awake == 0) return {};
+  GapLanes gaps;
+  // A plane tells nothing of a node that has come behind it.
+  if (measure(nodes, lanes, m.law, groups.data(), awake, gaps) > 0) {
+    for (int i = 0; i < count; ++i)
+      behind[i] = (lanes.near[i / NodeLanes::group] | lanes.touching[i / NodeLanes::group]) != 0 && gaps.gap[i] < -m.law.half_thickness && out[i] == 0;
+    search_marked(behind);
+    measure(nodes, lanes, m.law, groups.data(), awake, gaps);
+  }
+  return push(nodes, lanes, mass, m.law, groups.data(), awake, gaps);
 }
 
+/// Nodes from `first` on, `count` of them, filled up to whole groups.
 void gather(const State& s, int first, int count, NodeLanes& nodes)
 {
   for (int i = 0; i < count; ++i) {
@@ -105,6 +191,9 @@ void gather(const State& s, int first, int count, NodeLanes& nodes)
     nodes.vz[i] = v.z;
     nodes.fx[i] = nodes.fy[i] = nodes.fz[i] = 0.0;
   }
+  for (int i = count; i % NodeLanes::group != 0; ++i)
+    for (double* lane : {nodes.x, nodes.y, nodes.z, nodes.vx, nodes.vy, nodes.vz, nodes.fx, nodes.fy, nodes.fz})
+      lane[i] = 0.0;
 }
 
 /// What the blocks tell of a tool, in their order.
@@ -112,6 +201,7 @@ void take_sums(std::span<const ContactSums> sums, ToolState& tool, ContactState&
                const ContactLaw& law)
 {
   Vec3 force;
+  tool.stiffness = 0.0;
   c.energies.elastic = 0.0;
   c.penetration = 0.0;
   std::size_t deepest = 0;
@@ -121,6 +211,7 @@ void take_sums(std::span<const ContactSums> sums, ToolState& tool, ContactState&
     c.energies.elastic += sum.elastic;
     c.energies.damping += sum.damped;
     c.energies.friction += sum.rubbed;
+    tool.stiffness += sum.stiffness;
     if (sum.penetration > c.penetration) {
       c.penetration = sum.penetration;
       deepest = block;
@@ -153,7 +244,7 @@ void contact_forces(std::span<const Contact> contacts, std::span<const Tool> too
     const Tool& tool = tools[contact.tool];
     const ToolState& t = tool_states[contact.tool];
     meetings.push_back({contact, tool, states[i],
-                        {t.displacement * tool.direction, t.velocity * tool.direction, contact.half_thickness,
+                        {t.displacement * tool.direction, t.velocity * tool.direction, tool.direction, contact.half_thickness,
                          contact.stiffness_per_mass, contact.damping_per_mass,
                          contact.stick_ratio, tool.friction, dt}});
   }
@@ -162,8 +253,11 @@ void contact_forces(std::span<const Contact> contacts, std::span<const Tool> too
     NodeLanes lanes;
     const int first = block * block_size, count = std::min(block_size, nodes - first);
     gather(s, first, count, lanes);
+    const double* its_mass = mass.data() + first;
+    std::array<double, block_size> last_mass{};
+    if (count < block_size) its_mass = std::copy_n(its_mass, count, last_mass.begin()) - count;
     for (std::size_t i = 0; i < meetings.size(); ++i)
-      sums[i * static_cast<std::size_t>(blocks) + block] = meet(meetings[i], lanes, mass.data() + first, first, count);
+      sums[i * static_cast<std::size_t>(blocks) + block] = meet(meetings[i], lanes, its_mass, first, count);
     for (int i = 0; i < count; ++i) s.force[first + i] += {lanes.fx[i], lanes.fy[i], lanes.fz[i]};
   });
   for (std::size_t i = 0; i < contacts.size(); ++i)

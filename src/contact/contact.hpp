@@ -2,6 +2,7 @@
 #include "contact/facet_neighbours.hpp"
 #include "contact/tool.hpp"
 #include "towform/state.hpp"
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,18 +32,23 @@ struct ContactEnergies {
 };
 
 /// What a search has found out about nodes, as long as they are within a distance of an anchor: the plane of the facet
-/// that a node is nearest to, or that it cannot touch. Only speed depends on it, as a search gives the same bits.
+/// that a node is nearest to, or that it cannot touch; or both facets of an edge that it is nearest to. Only speed depends
+/// on it, as a search gives the same bits. Arrays that vectors read are padded to whole groups of nodes (NodeLanes).
 struct ContactPlanes {
   std::vector<double> normal_x, normal_y, normal_z, offset; ///< n, normal . x = offset [m]; far below for no plane
-  std::vector<double> anchor_x, anchor_y, anchor_z;         ///< n, in the tool's frame [m]
-  std::vector<double> reach_squared;                        ///< n [m^2]; negative: to be searched for
+  std::vector<float> anchor_x, anchor_y, anchor_z;          ///< n, in the tool's frame [m]
+  std::vector<float> reach_squared;                         ///< n [m^2]; negative: to be searched for
   std::vector<int> facet;                                   ///< n, found last; -1 before the first search
+  std::vector<int> rival;           ///< n, the facet beyond the edge that a node was nearest to; -1 for none
+  std::vector<float> rival_reach;   ///< n, how far from the anchor no third facet comes in [m]
+  std::vector<std::uint8_t> near;     ///< per group, whether one of them has a plane
+  std::vector<std::uint8_t> touching; ///< per group, whether one of them touches the tool
 };
 
 /// What changes of a contact.
 struct ContactState {
-  std::vector<double> stick_x, stick_y, stick_z; ///< n, stretch of the tangential spring [m]
-  std::vector<double> normal_force;              ///< n [N]
+  std::vector<double> stick_x, stick_y, stick_z; ///< n and padding, stretch of the tangential spring [m]
+  std::vector<double> normal_force;              ///< n and padding [N]
   double penetration = 0.0; ///< deepest at t_n [m]
   int deepest_node = 0;
   ContactEnergies energies;

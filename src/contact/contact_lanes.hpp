@@ -1,11 +1,14 @@
 #pragma once
 #include "towform/vec3.hpp"
+#include <cstdint>
 
 namespace towform {
 
-/// A block of nodes side by side, so that one instruction serves several.
+/// A block of nodes side by side, so that one instruction serves several. What is seldom needed is looked at for a group of
+/// eight together.
 struct NodeLanes {
   static constexpr int size = 128;
+  static constexpr int group = 8;
   using Lanes = double[size]; // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
 
   alignas(64) Lanes x, y, z;    ///< [m]
@@ -16,13 +19,14 @@ struct NodeLanes {
 /// The part of a contact's state that belongs to a block (contact/contact.hpp).
 struct ContactLanes {
   double *normal_x, *normal_y, *normal_z, *offset;
-  double *anchor_x, *anchor_y, *anchor_z, *reach_squared;
+  const float *anchor_x, *anchor_y, *anchor_z, *reach_squared;
   double *stick_x, *stick_y, *stick_z, *normal_force;
+  std::uint8_t *near, *touching; ///< of each group
 };
 
 /// What a tool does to all nodes of a block alike.
 struct ContactLaw {
-  Vec3 shift, velocity; ///< of the tool
+  Vec3 shift, velocity, direction; ///< of the tool
   double half_thickness, stiffness_per_mass, damping_per_mass, stick_ratio, friction, dt;
 };
 
@@ -30,22 +34,31 @@ struct ContactLaw {
 struct ContactSums {
   Vec3 force;
   double elastic = 0.0, damped = 0.0, rubbed = 0.0;
+  double stiffness = 0.0;   ///< of the nodes that touch, along the tool's direction [N/m]
   double penetration = 0.0; ///< deepest [m]
 };
 
 /// Offset of a plane that nobody touches.
 constexpr double no_plane = -1e9; // [m]
 
-/// How many nodes of a block are to be searched for, being out of their plane's reach, and are marked so; how many have
-/// a plane that they may touch.
-struct Awake {
-  int marked, near;
+/// Marks the nodes of a block that are out of their plane's reach, to be searched for; returns how many. Single precision
+/// will do: reaches are told shorter by as much.
+int look(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shift, int count, std::int32_t* marks);
+
+/// Gaps of a block's nodes, where a group of them was measured, and how many of the group touch.
+struct GapLanes {
+  alignas(64) NodeLanes::Lanes gap; ///< [m]
+  std::int64_t touch[NodeLanes::size / NodeLanes::group]; // NOLINT(modernize-avoid-c-arrays)
 };
-Awake look(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, int count, long long* marks);
+/// Measures the gaps of `groups`, `count` of them; returns how many nodes are so deep that they may be behind their plane.
+int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+            GapLanes& gaps);
 
 /// Normal force k g + damping, never pulling; Coulomb friction by stick-slip return mapping: a step's
 /// tangential movement stretches the spring k_t = `stick_ratio` k and lets it slip back to the cone of
-/// `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force.
-ContactSums push(NodeLanes& nodes, const ContactLanes& c, const double* mass, const ContactLaw& law, int count);
+/// `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force. `groups` of the block
+/// that may touch the tool or did so before, `count` of them.
+ContactSums push(NodeLanes& nodes, const ContactLanes& c, const double* mass, const ContactLaw& law,
+                 const std::uint8_t* groups, int count, const GapLanes& gaps);
 
 } // namespace towform

@@ -8,6 +8,13 @@ namespace towform {
 /// Part of a facet that a point is nearest to: its inside, edge k (from corner k to k+1) or corner k.
 enum class Feature { inside, edge_0, edge_1, edge_2, corner_0, corner_1, corner_2 };
 
+/// Which edge it is, or -1.
+inline int edge_number(Feature feature)
+{
+  const int k = static_cast<int>(feature) - static_cast<int>(Feature::edge_0);
+  return k < 3 ? k : -1;
+}
+
 /// The nearest point of a facet.
 struct FacetPoint {
   Vec3 point;

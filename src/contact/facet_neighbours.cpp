@@ -37,30 +37,45 @@ bool within(const Facet& f, const Facet& other, double radius)
 
 FacetNeighbours::~FacetNeighbours()
 {
-  for (const std::atomic<const List*>& list : lists_) delete list.load();
+  for (const std::atomic<const InFront*>& list : in_front_) delete list.load();
+  for (const std::atomic<const All*>& list : all_) delete list.load();
 }
 
-const FacetNeighbours::List& FacetNeighbours::make(int number) const
+template <class List>
+const List& FacetNeighbours::of(int facet, Lists<List>& lists) const
+{
+  if (const List* list = lists[facet].load(std::memory_order_acquire)) return *list;
+  auto made = std::make_unique<List>();
+  fill(facet, *made);
+  const List* there = nullptr;
+  if (lists[facet].compare_exchange_strong(there, made.get(), std::memory_order_acq_rel)) return *made.release();
+  return *there; // another thread was first, with the same list
+}
+
+void FacetNeighbours::fill(int number, InFront& list) const
+{
+  static thread_local std::vector<int> found;
+  const Facet& f = surface_.tree().facet(number);
+  surface_.tree().find_in_box_round(f, radius_, found);
+  InFront ahead;
+  for (const int near : found) {
+    const Facet& other = surface_.tree().facet(near);
+    constexpr double touching = 1e-12; // [m]
+    const bool reaches = std::any_of(other.corner.begin(), other.corner.end(),
+                                     [&](const Vec3& c) { return f.height(c) > touching; });
+    if (near == number || !reaches || !within(f, other, radius_)) continue;
+    const double turn = norm(other.normal - f.normal);
+    ahead.push_back({other.normal, other.offset, turn > 0.0 ? 1.0 / turn : 0.0, near});
+  }
+  list.assign(ahead.begin(), ahead.end()); // no room for more
+}
+
+void FacetNeighbours::fill(int number, All& list) const
 {
   const Facet& f = surface_.tree().facet(number);
-  auto made = std::make_unique<List>();
-  for (const int near : surface_.tree().in_box_round(f, radius_)) {
-    const Facet& other = surface_.tree().facet(near);
-    if (near == number || !within(f, other, radius_)) continue;
-    const double turn = norm(other.normal - f.normal);
-    const Neighbour neighbour{other.normal, other.offset, turn > 0.0 ? 1.0 / turn : 0.0, near};
-    const auto reaches = [&](double side) {
-      constexpr double touching = 1e-12; // [m]
-      return std::any_of(other.corner.begin(), other.corner.end(),
-                         [&](const Vec3& c) { return side * f.height(c) > touching; });
-    };
-    made->all.push_back(neighbour);
-    if (reaches(1.0)) made->in_front.push_back(neighbour);
-    if (reaches(-1.0)) made->behind.push_back(neighbour);
-  }
-  const List* there = nullptr;
-  if (lists_[number].compare_exchange_strong(there, made.get(), std::memory_order_acq_rel)) return *made.release();
-  return *there; // another thread was first, with the same list
+  surface_.tree().find_in_box_round(f, radius_, list);
+  std::erase_if(list, [&](int near) { return near == number || !within(f, surface_.tree().facet(near), radius_); });
+  list.shrink_to_fit();
 }
 
 /// Steps over the edge that p is farthest beyond, as long as that leads on.
@@ -85,26 +100,25 @@ int FacetNeighbours::walk(const Vec3& p, int from) const
   return facet;
 }
 
-/// How far p may move while its nearest point stays inside the facet: beyond an edge it may be on that; beyond
-/// the facet's plane what lies behind it comes to the front. Facets behind the plane can come no nearer, one
-/// in front of it not before p is on the plane that halves the angle between both. Negative where another
-/// facet is nearer, or as near.
+/// How far p, in front of a facet's plane, may move there while its nearest point stays inside the facet: beyond an edge
+/// it may be on that. Facets behind the plane can come no nearer, one in front of it not before p is on the plane that
+/// halves the angle between both. Negative where another facet is nearer, or as near.
 double FacetNeighbours::reach_inside(const Vec3& p, int facet, double height, double margin) const
 {
-  const double side = height < 0.0 ? -1.0 : 1.0, size = std::abs(height);
-  double reach = std::min({size, margin, 0.5 * radius_ - size});
-  const List& list = of(facet);
-  for (const Neighbour& n : side > 0.0 ? list.in_front : list.behind) {
-    if (const double to_bisector = (side * n.height(p) - size) * n.over_turn; to_bisector > doubt) {
+  double reach = std::min(margin, 0.5 * radius_ - height);
+  for (const Neighbour& n : of(facet, in_front_)) {
+    if (const double to_bisector = (n.height(p) - height) * n.over_turn; to_bisector > doubt) {
       reach = std::min(reach, to_bisector);
       continue;
     }
     const double distance = std::sqrt(nearest_on_facet(surface_.tree().facet(n.facet), p).distance_squared);
-    if (distance <= size + doubt) return -1.0;
-    reach = std::min(reach, 0.5 * (distance - size));
+    if (distance <= height + doubt) return -1.0;
+    reach = std::min(reach, 0.5 * (distance - height));
   }
   return reach;
 }
+
+bool FacetNeighbours::is_well_inside(const Vec3& p, int facet) const { return margin(p, facet) > doubt; }
 
 /// How far p, inside a facet, is from where another plane begins: edges to a facet of the same plane, to the last bit,
 /// do not count, but that facet's other edges do.
@@ -113,42 +127,82 @@ double FacetNeighbours::margin(const Vec3& p, int facet) const
   const Facet& f = surface_.tree().facet(facet);
   double margin = HUGE_VAL;
   for (int k = 0; k < 3; ++k) {
-    const int next = surface_.across(facet, k);
-    const Facet* other = next < 0 ? nullptr : &surface_.tree().facet(next);
-    if (other == nullptr || !(other->normal == f.normal && other->offset == f.offset)) {
+    if (!surface_.goes_on(facet, k)) {
       margin = std::min(margin, dot(f.inward[k], p - f.corner[k]));
       continue;
     }
+    const int next = surface_.across(facet, k);
+    const Facet& other = surface_.tree().facet(next);
     for (int j = 0; j < 3; ++j)
-      if (surface_.across(next, j) != facet)
-        margin = std::min(margin, dot(other->inward[j], p - other->corner[j]));
+      if (surface_.across(next, j) != facet) margin = std::min(margin, dot(other.inward[j], p - other.corner[j]));
   }
   return margin;
 }
 
-std::optional<FacetNeighbours::Nearest> FacetNeighbours::nearest(const Vec3& p, int from) const
+FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
 {
-  int facet = walk(p, from);
-  const Facet& f = surface_.tree().facet(facet);
-  FacetPoint best = nearest_on_facet(f, p);
+  int facet = from < 0 ? surface_.nearest(p).facet : walk(p, from);
+  FacetPoint best = nearest_on_facet(surface_.tree().facet(facet), p);
   // A facet as near as this one is within twice the distance of it.
-  if (4.0 * best.distance_squared >= radius_ * radius_) return {};
-  if (best.feature == Feature::inside) {
+  if (4.0 * best.distance_squared >= radius_ * radius_) {
+    const SurfacePoint found = surface_.nearest(p, facet);
+    if (4.0 * found.distance * found.distance >= radius_ * radius_) return Nearest{found};
+    facet = found.facet;
+    best = nearest_on_facet(surface_.tree().facet(facet), p);
+  }
+  if (const double height = surface_.tree().facet(facet).height(p); best.feature == Feature::inside && height > 0.0) {
     if (const double room = margin(p, facet); room > doubt)
-      if (const double reach = reach_inside(p, facet, f.height(p), room); reach >= 0.0)
+      if (const double reach = reach_inside(p, facet, height, room); reach >= 0.0)
         return Nearest{surface_.at(p, facet, best), std::max(0.0, reach - 0.1 * doubt)};
   }
-  for (const Neighbour& n : of(facet).all) {
-    const double height = n.height(p);
+  for (const int near : of(facet, all_)) {
+    const Facet& other = surface_.tree().facet(near);
+    const double height = other.height(p);
     if (height * height > best.distance_squared) continue;
-    const FacetPoint point = nearest_on_facet(surface_.tree().facet(n.facet), p);
+    const FacetPoint point = nearest_on_facet(other, p);
     if (point.distance_squared < best.distance_squared ||
-        (point.distance_squared == best.distance_squared && n.facet < facet)) {
+        (point.distance_squared == best.distance_squared && near < facet)) {
       best = point;
-      facet = n.facet;
+      facet = near;
     }
   }
-  return Nearest{surface_.at(p, facet, best), 0.0};
+  Nearest found{surface_.at(p, facet, best)};
+  if (best.feature < Feature::corner_0) set_rival(p, best, found);
+  return found;
+}
+
+std::optional<FacetNeighbours::Far> FacetNeighbours::far(const Vec3& p, int from) const
+{
+  const int start = walk(p, from);
+  const double at_most = std::sqrt(nearest_on_facet(surface_.tree().facet(start), p).distance_squared);
+  if (at_most < radius_) return {};
+  const FacetTree::Roughly rough = surface_.tree().roughly_nearest(p, at_most);
+  if (rough.no_nearer < 0.5 * radius_) return {};
+  return Far{rough.facet < 0 ? start : rough.facet, rough.no_nearer};
+}
+
+/// The edge of a facet that p is on, or comes to first.
+int FacetNeighbours::edge_of(const Vec3& p, int facet, Feature feature) const
+{
+  if (feature != Feature::inside) return edge_number(feature);
+  const Facet& f = surface_.tree().facet(facet);
+  const auto room = [&](std::size_t k) { return dot(f.inward[k], p - f.corner[k]); };
+  return room(0) <= room(1) ? (room(0) <= room(2) ? 0 : 2) : (room(1) <= room(2) ? 1 : 2);
+}
+
+/// Facets that are not on the list are farther from the found one than the radius.
+void FacetNeighbours::set_rival(const Vec3& p, const FacetPoint& best, Nearest& found) const
+{
+  found.rival = surface_.across(found.point.facet, edge_of(p, found.point.facet, best.feature));
+  const double distance = std::sqrt(best.distance_squared);
+  double third = radius_ - distance;
+  for (const int near : of(found.point.facet, all_)) {
+    const Facet& other = surface_.tree().facet(near);
+    if (near == found.rival || std::abs(other.height(p)) >= third) continue;
+    third = std::min(third, std::sqrt(nearest_on_facet(other, p).distance_squared));
+  }
+  found.rival_reach = 0.5 * (third - distance) - doubt;
+  if (found.rival_reach <= 0.0) found.rival = -1;
 }
 
 } // namespace towform

@@ -12,21 +12,33 @@ public:
   /// Of the facets of `surface`, which must outlive this, those within `radius` [m] of each other, some farther ones
   /// too. A facet's list is made when it is first asked for, by whichever thread.
   FacetNeighbours(const ToolSurface& surface, double radius)
-      : surface_(surface), radius_(radius), lists_(surface.mesh().triangles.size())
+      : surface_(surface), radius_(radius), in_front_(surface.mesh().triangles.size()), all_(in_front_.size())
   {
   }
   ~FacetNeighbours();
   FacetNeighbours(const FacetNeighbours&) = delete;
   FacetNeighbours& operator=(const FacetNeighbours&) = delete;
 
-  /// The nearest point and how far one may move from there, in any direction, while it stays inside its facet.
+  /// The nearest point and how far one may move from there, as long as one stays in front of its facet's plane, while it
+  /// stays inside the facet.
   struct Nearest {
     SurfacePoint point;
-    double reach = 0.0; ///< [m]; 0 when it is on an edge or corner, or may become so at once
+    double reach = 0.0; ///< [m]; 0 when it is on an edge or corner, or may become so at once, and behind the plane
+    int rival = -1; ///< where it is on an edge, or about to be: the facet beyond
+    double rival_reach = 0.0; ///< how far one may move while no facet but these two is nearest [m]
   };
-  /// The tool's point nearest to p, found from a facet not far away; of equally near facets the lowest number, as
-  /// by a search of all. Nothing when p is too far from the tool for the lists, half the radius.
-  [[nodiscard]] std::optional<Nearest> nearest(const Vec3& p, int from) const;
+  /// The tool's point nearest to p, of equally near facets the lowest number; the quicker, the nearer `from` is (a facet,
+  /// or -1 for none known).
+  [[nodiscard]] Nearest nearest(const Vec3& p, int from) const;
+  /// Of a p that was in front of the tool and has not come to it since: how far one may move from there without coming as
+  /// near as the lists serve, and a facet that is roughly the nearest; nothing when p is too near for that.
+  struct Far {
+    int facet;
+    double distance; ///< that no facet is nearer than [m]
+  };
+  [[nodiscard]] std::optional<Far> far(const Vec3& p, int from) const;
+  /// Whether p, whose nearest point is inside a facet, is not about to leave its plane.
+  [[nodiscard]] bool is_well_inside(const Vec3& p, int facet) const;
 
 private:
   struct Neighbour {
@@ -37,24 +49,24 @@ private:
 
     [[nodiscard]] double height(const Vec3& p) const { return dot(normal, p) - offset; }
   };
-  struct List {
-    std::vector<Neighbour> all;
-    /// Those of which some part is in front of the facet's plane, and those of which some is behind.
-    std::vector<Neighbour> in_front, behind;
-  };
-  [[nodiscard]] const List& of(int facet) const
-  {
-    const List* list = lists_[facet].load(std::memory_order_acquire);
-    return list != nullptr ? *list : make(facet);
-  }
-  const List& make(int facet) const;
+  using InFront = std::vector<Neighbour>; ///< those of which some part is in front of a facet's plane
+  using All = std::vector<int>;
+  template <class List>
+  using Lists = std::vector<std::atomic<const List*>>;
+  template <class List>
+  const List& of(int facet, Lists<List>& lists) const;
+  void fill(int facet, InFront& list) const;
+  void fill(int facet, All& list) const;
   [[nodiscard]] int walk(const Vec3& p, int from) const;
   [[nodiscard]] double margin(const Vec3& p, int facet) const;
+  [[nodiscard]] int edge_of(const Vec3& p, int facet, Feature feature) const;
+  void set_rival(const Vec3& p, const FacetPoint& best, Nearest& found) const;
   [[nodiscard]] double reach_inside(const Vec3& p, int facet, double height, double margin) const;
 
   const ToolSurface& surface_;
   double radius_;
-  mutable std::vector<std::atomic<const List*>> lists_;
+  mutable Lists<InFront> in_front_;
+  mutable Lists<All> all_; // of few facets
 };
 
 } // namespace towform

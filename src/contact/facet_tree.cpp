@@ -2,6 +2,7 @@
 #include "mesh/box.hpp"
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <algorithm>
+#include <cmath>
 
 namespace towform {
 
@@ -128,24 +129,40 @@ int FacetTree::nearest(const Vec3& p, double bound) const
   return facet;
 }
 
-std::vector<int> FacetTree::in_box_round(const Facet& facet, double distance) const
+FacetTree::Roughly FacetTree::roughly_nearest(const Vec3& p, double bound) const
+{
+  constexpr double share = 0.7;
+  double best = bound * bound;
+  int facet = -1;
+  walk(
+      p, [&] { return share * share * best; },
+      [&](int other, double d2) {
+        if (d2 >= best) return;
+        best = d2;
+        facet = other;
+      });
+  return {facet, share * std::sqrt(best)};
+}
+
+void FacetTree::find_in_box_round(const Facet& facet, double distance, std::vector<int>& found) const
 {
   Box box = box_of(facet.corner);
   box.low -= {distance, distance, distance};
   box.high += {distance, distance, distance};
-  std::vector<int> found;
-  std::vector<int> open{0};
-  while (!open.empty()) {
-    const Boxes::Node& node = boxes_->nodes[open.back()];
-    open.pop_back();
+  found.clear();
+  std::array<int, stack_size> open;
+  int top = 0;
+  open[top++] = 0;
+  while (top > 0) {
+    const Boxes::Node& node = boxes_->nodes[open[--top]];
     if (!overlap(node.box, box)) continue;
-    if (node.facet >= 0)
+    if (node.facet >= 0) {
       found.push_back(node.facet);
-    else
-      open.insert(open.end(), {node.left, node.left + 1});
+    } else {
+      open[top++] = node.left;
+      open[top++] = node.left + 1;
+    }
   }
-  std::sort(found.begin(), found.end());
-  return found;
 }
 
 } // namespace towform

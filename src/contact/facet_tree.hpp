@@ -18,8 +18,16 @@ public:
   /// The facet nearest to p within `bound` [m] (of equals, the lowest number), or -1.
   [[nodiscard]] int nearest(const Vec3& p, double bound) const;
 
-  /// Facets, itself among them, whose boxes overlap the box round a facet grown by `distance` [m], ascending.
-  [[nodiscard]] std::vector<int> in_box_round(const Facet& facet, double distance) const;
+  /// Roughly the nearest facet, quickly, and how near to p no facet is [m]: at least 0.7 of the true distance.
+  struct Roughly {
+    int facet;
+    double no_nearer;
+  };
+  [[nodiscard]] Roughly roughly_nearest(const Vec3& p, double bound) const;
+
+  /// Facets, itself among them, whose boxes overlap the box round a facet grown by `distance` [m], in any order: put
+  /// into `found`.
+  void find_in_box_round(const Facet& facet, double distance, std::vector<int>& found) const;
 
   [[nodiscard]] const Facet& facet(int number) const { return facets_[number]; }
 

@@ -7,7 +7,7 @@ namespace towform {
 
 ToolSurface::ToolSurface(SurfaceMesh mesh)
     : mesh_(std::move(mesh)), tree_(mesh_), edge_normal_(mesh_.triangles.size()),
-      across_(mesh_.triangles.size()), corner_normal_(mesh_.points.size()),
+      across_(mesh_.triangles.size()), goes_on_(mesh_.triangles.size()), corner_normal_(mesh_.points.size()),
       border_corner_(mesh_.points.size(), 0), lowest_(mesh_.points.front()), highest_(mesh_.points.front())
 {
   for (const Vec3& p : mesh_.points) {
@@ -31,10 +31,13 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
       const auto other = facet_of_edge.find({to, from});
       across_[t][k] = other == facet_of_edge.end() ? -1 : other->second;
       edge_normal_[t][k] = tree_.facet(static_cast<int>(t)).normal;
-      if (other != facet_of_edge.end())
-        edge_normal_[t][k] += tree_.facet(other->second).normal;
-      else
+      if (other == facet_of_edge.end()) {
         border_corner_[from] = border_corner_[to] = 1;
+        continue;
+      }
+      const Facet &here = tree_.facet(static_cast<int>(t)), &there = tree_.facet(other->second);
+      edge_normal_[t][k] += there.normal;
+      goes_on_[t][k] = here.normal == there.normal && here.offset == there.offset ? 1 : 0;
     }
 }
 
@@ -44,17 +47,17 @@ SurfacePoint ToolSurface::at(const Vec3& p, int facet, const FacetPoint& near) c
   result.facet = facet;
   result.point = near.point;
   const Facet& f = tree_.facet(facet);
-  if (near.feature == Feature::inside) {
+  const int edge = edge_number(near.feature);
+  if (near.feature == Feature::inside || (edge >= 0 && goes_on(facet, edge))) {
     result.normal = f.normal;
     result.distance = f.height(p);
     result.inside = true;
     return result;
   }
   Vec3 normal;
-  if (near.feature < Feature::corner_0) {
-    const int k = static_cast<int>(near.feature) - static_cast<int>(Feature::edge_0);
-    normal = edge_normal_[facet][k];
-    result.on_border = across_[facet][k] < 0;
+  if (edge >= 0) {
+    normal = edge_normal_[facet][edge];
+    result.on_border = across_[facet][edge] < 0;
   } else {
     const int node =
         mesh_.triangles[facet][static_cast<int>(near.feature) - static_cast<int>(Feature::corner_0)];
@@ -74,6 +77,14 @@ SurfacePoint ToolSurface::at(const Vec3& p, int facet, const FacetPoint& near) c
 SurfacePoint ToolSurface::at(const Vec3& p, int facet) const
 {
   return at(p, facet, nearest_on_facet(tree_.facet(facet), p));
+}
+
+SurfacePoint ToolSurface::nearest_of(const Vec3& p, int facet, int other) const
+{
+  const FacetPoint a = nearest_on_facet(tree_.facet(facet), p), b = nearest_on_facet(tree_.facet(other), p);
+  const bool second = b.distance_squared < a.distance_squared ||
+                      (b.distance_squared == a.distance_squared && other < facet);
+  return second ? at(p, other, b) : at(p, facet, a);
 }
 
 SurfacePoint ToolSurface::nearest(const Vec3& p, int hint, double bound) const

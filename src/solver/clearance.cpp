@@ -37,8 +37,6 @@ private:
     const Tool& tool = model_.tools[number];
     const Vec3 x = s_.sheet.position[node] - s_.tools[number].displacement * tool.direction;
     const int met = s_.contacts[contact].planes.facet[node], hint = met >= 0 ? met : hint_[contact];
-    if (hint >= 0)
-      if (const auto nearby = model_.contacts[contact].neighbours->nearest(x, hint)) return nearby->point;
     const SurfacePoint found = tool.surface.nearest(x, hint, bound);
     if (found.facet >= 0) hint_[contact] = found.facet;
     return found;

@@ -47,9 +47,8 @@ Energies energy_account(const Model& model, const System& s)
     const Tool& tool = model.tools[i];
     e.external += s.tools[i].work;
     if (!tool.force) continue;
-    const double acceleration = (*tool.force + dot(s.tools[i].reaction, tool.direction)) / tool.mass;
-    const double v = s.tools[i].velocity;
-    e.kinetic += 0.5 * tool.mass * v * (v + s.sheet.last_dt * acceleration);
+    e.kinetic += 0.5 * tool.mass * s.tools[i].velocity * next_velocity(tool, s.tools[i], s.sheet.last_dt);
+    e.damping += s.tools[i].damped;
   }
   return e;
 }

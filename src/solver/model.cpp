@@ -22,7 +22,7 @@ std::vector<Tool> read_tools(const Case& c, std::vector<InputIssue>& issues)
       for (Vec3& x : mesh.points) x += p.position;
       const Axis axis = p.motion ? p.motion->axis : p.axis;
       tools.push_back(
-          {p.name, ToolSurface(std::move(mesh)), p.friction, p.motion, p.force, unit_vector(axis), p.mass});
+          {p.name, ToolSurface(std::move(mesh)), p.friction, p.motion, p.force, unit_vector(axis), p.mass, p.damping});
     } catch (const FileError& e) {
       issues.push_back({c.where("tool[" + std::to_string(i) + "].mesh"), e.what(), ExitCode::files});
     }

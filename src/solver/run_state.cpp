@@ -59,11 +59,13 @@ void visit(FieldVisitor& v, PressureState& s)
 
 void visit(FieldVisitor& v, ToolState& s)
 {
-  auto& [displacement, velocity, reaction, work] = s;
+  auto& [displacement, velocity, reaction, stiffness, work, damped] = s;
   v("displacement", displacement);
   v("velocity", velocity);
   v("reaction", reaction);
+  v("stiffness", stiffness);
   v("work", work);
+  v("damped", damped);
 }
 
 void visit(FieldVisitor& v, ContactState& s)

@@ -62,7 +62,10 @@ void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
   for (std::size_t i = 0; i < model.pressure.size(); ++i)
     pressure_forces(model.pressure[i], model.membrane, s.pressure[i], s.sheet);
   contact_forces(model.contacts, model.tools, s.tools, s.contacts, model.mass, s.sheet, dt);
-  for (ToolState& tool : s.tools) tool.reaction *= model.mirror_factor;
+  for (ToolState& tool : s.tools) {
+    tool.reaction *= model.mirror_factor;
+    tool.stiffness *= model.mirror_factor;
+  }
   hold_on_mirrors(model.blank, s.sheet);
   for (std::size_t i = 0; i < model.boundaries.size(); ++i)
     take_reaction(model.boundaries[i], s.boundaries[i], s.sheet);

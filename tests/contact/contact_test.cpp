@@ -78,6 +78,28 @@ TEST(Contact, HoldsTheSheetOffByHalfItsThicknessOnEitherFace)
   }
 }
 
+TEST(Contact, RemembersNothingThatASearchWouldNotFind)
+{
+  // A node that wanders above, beside and deep inside a box, against one that comes there for the first time.
+  const SurfaceMesh box = test::box({-0.01, -0.01, -0.01}, {0.01, 0.01, 0.01});
+  Block wanderer(box, 0.0, 0.0, {0.009, 0.0, 0.0102});
+  int deep = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double a = 0.013 * i, b = 0.0071 * i;
+    const Vec3 at{0.0105 + 1.3e-3 * std::cos(a), 2e-3 * std::sin(b), 0.0098 + 1.2e-3 * std::sin(1.3 * a)};
+    Block newcomer(box, 0.0, 0.0, at);
+    for (Block* block : {&wanderer, &newcomer}) {
+      block->s.position[0] = at;
+      block->s.force[0] = {};
+      test::contact_forces(block->contact, block->tool, block->tool_state, block->contact_state, mass, block->s, dt);
+    }
+    deep += newcomer.contact_state.penetration > half ? 1 : 0;
+    ASSERT_EQ(wanderer.s.force[0], newcomer.s.force[0]) << i;
+    ASSERT_EQ(wanderer.contact_state.penetration, newcomer.contact_state.penetration) << i;
+  }
+  EXPECT_GT(deep, 100);
+}
+
 TEST(Contact, SticksOnASlopeBelowTheFrictionAngleAndDoesNotCreep)
 {
   Block block(ground(), 0.4, 0.3, {0.0, 0.0, half});
