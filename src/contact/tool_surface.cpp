@@ -1,9 +1,37 @@
 #include "contact/tool_surface.hpp"
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace towform {
+
+namespace {
+
+/// The facet that has an edge from one point to another.
+class DirectedEdges {
+public:
+  explicit DirectedEdges(const std::vector<Triangle>& triangles)
+  {
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k)
+        edges_.push_back({triangles[t][k], triangles[t][(k + 1) % 3], static_cast<int>(t)});
+    std::sort(edges_.begin(), edges_.end());
+  }
+  /// Of several the last, or -1.
+  [[nodiscard]] int facet(int from, int to) const
+  {
+    const auto after = std::lower_bound(edges_.begin(), edges_.end(), std::array{from, to + 1, -1});
+    if (after == edges_.begin()) return -1;
+    const auto& [its_from, its_to, facet] = *std::prev(after);
+    return its_from == from && its_to == to ? facet : -1;
+  }
+
+private:
+  std::vector<std::array<int, 3>> edges_; // from, to, facet
+};
+
+} // namespace
 
 ToolSurface::ToolSurface(SurfaceMesh mesh)
     : mesh_(std::move(mesh)), tree_(mesh_), edge_normal_(mesh_.triangles.size()),
@@ -14,13 +42,12 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
     lowest_ = {std::min(lowest_.x, p.x), std::min(lowest_.y, p.y), std::min(lowest_.z, p.z)};
     highest_ = {std::max(highest_.x, p.x), std::max(highest_.y, p.y), std::max(highest_.z, p.z)};
   }
-  std::map<std::pair<int, int>, int> facet_of_edge; // directed
+  const DirectedEdges edges(mesh_.triangles);
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Triangle& corner = mesh_.triangles[t];
     const Facet& facet = tree_.facet(static_cast<int>(t));
     const auto& x = facet.corner;
     for (int k = 0; k < 3; ++k) {
-      facet_of_edge[{corner[k], corner[(k + 1) % 3]}] = static_cast<int>(t);
       const Vec3 out = normalized(x[(k + 1) % 3] - x[k]), back = normalized(x[(k + 2) % 3] - x[k]);
       corner_normal_[corner[k]] += std::acos(std::clamp(dot(out, back), -1.0, 1.0)) * facet.normal;
     }
@@ -28,14 +55,14 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int from = mesh_.triangles[t][k], to = mesh_.triangles[t][(k + 1) % 3];
-      const auto other = facet_of_edge.find({to, from});
-      across_[t][k] = other == facet_of_edge.end() ? -1 : other->second;
+      const int other = edges.facet(to, from);
+      across_[t][k] = other;
       edge_normal_[t][k] = tree_.facet(static_cast<int>(t)).normal;
-      if (other == facet_of_edge.end()) {
+      if (other < 0) {
         border_corner_[from] = border_corner_[to] = 1;
         continue;
       }
-      const Facet &here = tree_.facet(static_cast<int>(t)), &there = tree_.facet(other->second);
+      const Facet &here = tree_.facet(static_cast<int>(t)), &there = tree_.facet(other);
       edge_normal_[t][k] += there.normal;
       goes_on_[t][k] = here.normal == there.normal && here.offset == there.offset ? 1 : 0;
     }

@@ -1,5 +1,6 @@
 #include "element/curvature.hpp"
 #include "element/moment_balance.hpp"
+#include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -77,11 +78,14 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
 {
   const MirroredSheet sheet(blank.mesh, lines_of(blank, clamped));
   images = sheet.images;
-  std::vector<QuadraticFit> fits;
-  for (std::size_t n = 0; n < sheet.nodes; ++n) {
-    fits.push_back(quadratic_fit(sheet, static_cast<int>(n)));
-    chords.push_back(chords_of(sheet, static_cast<int>(n), blank.warp));
-  }
+  std::vector<QuadraticFit> fits(sheet.nodes);
+  chords.resize(sheet.nodes);
+  parallel_ranges(static_cast<std::ptrdiff_t>(sheet.nodes), [&](auto begin, auto end) {
+    for (auto n = begin; n < end; ++n) {
+      fits[n] = quadratic_fit(sheet, static_cast<int>(n));
+      chords[n] = chords_of(sheet, static_cast<int>(n), blank.warp);
+    }
+  });
   const std::array<Vec3, 2> directions{blank.warp, blank.weft};
   std::array<DirectionalWeights, 2> weights;
   const bool fitted =
@@ -117,17 +121,19 @@ std::vector<YarnPair> CurvatureOperator::at(std::span<const Vec3> position) cons
   std::vector<Vec3> image;
   for (const MirrorImage& i : images) image.push_back(i.position(position));
   const ImagedPositions x(position, image);
-  std::vector<YarnPair> curvature;
-  for (std::size_t n = 0; n < nodes(); ++n) {
-    Vec3 warp, weft;
-    for (int t = first[n]; t < first[n + 1]; ++t) {
-      warp += terms[t].warp * x[terms[t].point];
-      weft += terms[t].weft * x[terms[t].point];
+  std::vector<YarnPair> curvature(nodes());
+  parallel_ranges(static_cast<std::ptrdiff_t>(nodes()), [&](auto begin, auto end) {
+    for (auto n = begin; n < end; ++n) {
+      Vec3 warp, weft;
+      for (int t = first[n]; t < first[n + 1]; ++t) {
+        warp += terms[t].warp * x[terms[t].point];
+        weft += terms[t].weft * x[terms[t].point];
+      }
+      const Chords& c = chords[n];
+      const Vec3 normal = normalized(cross(x[c.a1] - x[c.a0], x[c.b1] - x[c.b0]));
+      curvature[n] = {dot(normal, warp), dot(normal, weft)};
     }
-    const Chords& c = chords[n];
-    const Vec3 normal = normalized(cross(x[c.a1] - x[c.a0], x[c.b1] - x[c.b0]));
-    curvature.push_back({dot(normal, warp), dot(normal, weft)});
-  }
+  });
   return curvature;
 }
 

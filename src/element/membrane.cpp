@@ -73,15 +73,22 @@ StripEntries Membrane::entries(const ElementBlocks::Block& b) const
 
 double Membrane::yarn_energy(const State& s) const
 {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < strips.size(); ++i) sum += strips.area[i] * yarn.energy(s.strip_strain[i]);
-  for (std::size_t e = 0; e < triangles.size(); ++e) {
-    const YarnVectors y(triangles[e], gradients[e], s.position);
-    const double warp = y.lambda1 - 1.0 - s.strip_strain[strips.of[2 * e]];
-    const double weft = y.lambda2 - 1.0 - s.strip_strain[strips.of[2 * e + 1]];
-    sum += 0.5 * own_stiffness * area[e] * (warp * warp + weft * weft);
-  }
-  return sum;
+  const double of_strips = parallel_sum(strips.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t i = begin; i < end; ++i) sum += strips.area[i] * yarn.energy(s.strip_strain[i]);
+    return sum;
+  });
+  const double of_springs = parallel_sum(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t e = begin; e < end; ++e) {
+      const YarnVectors y(triangles[e], gradients[e], s.position);
+      const double warp = y.lambda1 - 1.0 - s.strip_strain[strips.of[2 * e]];
+      const double weft = y.lambda2 - 1.0 - s.strip_strain[strips.of[2 * e + 1]];
+      sum += 0.5 * own_stiffness * area[e] * (warp * warp + weft * weft);
+    }
+    return sum;
+  });
+  return of_strips + of_springs;
 }
 
 void start(const Membrane& membrane, State& s)

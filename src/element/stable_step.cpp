@@ -1,4 +1,5 @@
 #include "element/stable_step.hpp"
+#include "parallel/parallel.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +15,7 @@ std::array<YarnPair, 3> corner_gradients(const YarnGradients& g)
 }
 
 /// Larger eigenvalue of [[a, c], [c, b]].
-double largest(double a, double b, double c) { return 0.5 * (a + b) + std::hypot(0.5 * (a - b), c); }
+double largest(double a, double b, double c) { return 0.5 * (a + b) + std::sqrt(0.25 * (a - b) * (a - b) + c * c); }
 
 double largest(const std::vector<double>& v)
 {
@@ -130,12 +131,16 @@ StepBound::Frequencies StepBound::frequencies(const State& s) const
                                std::abs(membrane_.reference_sine)); // |sine| round a node
   for (std::size_t e = 0; e < s.sine.size(); ++e)
     for (const int n : membrane_.triangles[e]) steepest[n] = std::max(steepest[n], std::abs(s.sine[e]));
-  for (std::size_t i = 0; i < f.strip.size(); ++i) {
-    double sine = 0.0;
-    for (const Part& p : parts_of(i)) sine = std::max(sine, steepest[p.component / 2]);
-    f.strip[i] *= 1.0 + sine;
-  }
-  for (std::size_t e = 0; e < f.element.size(); ++e) f.element[e] = element_frequency(s, e);
+  parallel_ranges(static_cast<std::ptrdiff_t>(f.strip.size()), [&](auto begin, auto end) {
+    for (auto i = begin; i < end; ++i) {
+      double sine = 0.0;
+      for (const Part& p : parts_of(static_cast<std::size_t>(i))) sine = std::max(sine, steepest[p.component / 2]);
+      f.strip[i] *= 1.0 + sine;
+    }
+  });
+  parallel_ranges(static_cast<std::ptrdiff_t>(f.element.size()), [&](auto begin, auto end) {
+    for (auto e = begin; e < end; ++e) f.element[e] = element_frequency(s, static_cast<std::size_t>(e));
+  });
   return f;
 }
 

@@ -12,25 +12,9 @@ namespace {
 constexpr int most_vectors = 80;
 constexpr double close_enough = 0.005; ///< what may be left, over the eigenvalue
 
-/// body(begin, end) on blocks of nodes, its results summed in their order: the same for any number of threads.
-template <class Body>
-double sum_over(std::size_t nodes, const Body& body)
-{
-  constexpr std::size_t block = 1024;
-  const std::size_t blocks = (nodes + block - 1) / block;
-  std::vector<double> sums(blocks);
-  parallel_each(static_cast<int>(blocks), [&](int b) {
-    const std::size_t begin = static_cast<std::size_t>(b) * block;
-    sums[static_cast<std::size_t>(b)] = body(begin, std::min(nodes, begin + block));
-  });
-  double sum = 0.0;
-  for (const double s : sums) sum += s;
-  return sum;
-}
-
 double product(std::span<const Vec3> a, std::span<const Vec3> b)
 {
-  return sum_over(a.size(), [&](std::size_t begin, std::size_t end) {
+  return parallel_sum(a.size(), [&](std::size_t begin, std::size_t end) {
     double sum = 0.0;
     for (std::size_t n = begin; n < end; ++n) sum += dot(a[n], b[n]);
     return sum;

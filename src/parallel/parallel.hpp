@@ -87,4 +87,19 @@ void parallel_each(int count, const Body& body)
       &context);
 }
 
+/// Sum of body(begin, end) over blocks of 0 .. count-1, added in their order: the same for any number of threads.
+template <class Body>
+double parallel_sum(std::size_t count, const Body& body)
+{
+  constexpr std::size_t block = 1024;
+  std::vector<double> sums((count + block - 1) / block);
+  parallel_each(static_cast<int>(sums.size()), [&](int number) {
+    const std::size_t begin = block * static_cast<std::size_t>(number);
+    sums[static_cast<std::size_t>(number)] = body(begin, std::min(count, begin + block));
+  });
+  double sum = 0.0;
+  for (const double s : sums) sum += s;
+  return sum;
+}
+
 } // namespace towform

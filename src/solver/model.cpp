@@ -1,28 +1,44 @@
 #include "solver/model.hpp"
 #include "element/stable_step.hpp"
 #include "element/step_limit.hpp"
+#include "parallel/parallel.hpp"
 #include "solver/placement.hpp"
 #include "solver/step.hpp"
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numeric>
+#include <optional>
 
 namespace towform {
 
 namespace {
 
+Tool read_tool(const ToolParameters& p)
+{
+  SurfaceMesh mesh = read_stl(p.mesh, p.mesh_unit);
+  for (Vec3& x : mesh.points) x += p.position;
+  const Axis axis = p.motion ? p.motion->axis : p.axis;
+  return {p.name, ToolSurface(std::move(mesh)), p.friction, p.motion, p.force, unit_vector(axis), p.mass, p.damping};
+}
+
 /// Reads every tool; unreadable ones become issues.
 std::vector<Tool> read_tools(const Case& c, std::vector<InputIssue>& issues)
 {
-  std::vector<Tool> tools;
-  for (std::size_t i = 0; i < c.tools.size(); ++i) {
-    const ToolParameters& p = c.tools[i];
+  std::vector<std::optional<Tool>> read(c.tools.size());
+  std::vector<std::exception_ptr> failed(c.tools.size());
+  parallel_each(static_cast<int>(read.size()), [&](int i) {
     try {
-      SurfaceMesh mesh = read_stl(p.mesh, p.mesh_unit);
-      for (Vec3& x : mesh.points) x += p.position;
-      const Axis axis = p.motion ? p.motion->axis : p.axis;
-      tools.push_back(
-          {p.name, ToolSurface(std::move(mesh)), p.friction, p.motion, p.force, unit_vector(axis), p.mass, p.damping});
+      read[i] = read_tool(c.tools[i]);
+    } catch (...) {
+      failed[i] = std::current_exception(); // which must not leave its thread
+    }
+  });
+  std::vector<Tool> tools;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    try {
+      if (failed[i]) std::rethrow_exception(failed[i]);
+      tools.push_back(std::move(*read[i]));
     } catch (const FileError& e) {
       issues.push_back({c.where("tool[" + std::to_string(i) + "].mesh"), e.what(), ExitCode::files});
     }

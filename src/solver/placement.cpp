@@ -1,5 +1,6 @@
 #include "solver/placement.hpp"
 #include "mesh/box.hpp"
+#include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -36,21 +37,32 @@ std::pair<double, double> travel(const Tool& tool, double end)
   return range;
 }
 
-/// Deepest node of the blank inside the tool, or -1.
-std::pair<int, double> deepest(const std::vector<Vec3>& sheet, double thickness, const Tool& tool)
-{
-  int node = -1, hint = -1;
+struct Deepest {
+  int node = -1;
   double depth = rounding;
-  for (std::size_t n = 0; n < sheet.size(); ++n) {
-    const SurfacePoint nearest = tool.surface.nearest(sheet[n], hint);
-    hint = nearest.facet;
-    const double overlap = 0.5 * thickness - nearest.distance;
-    if (overlap > depth && !(nearest.distance < 0.0 && nearest.on_border)) {
-      depth = overlap;
-      node = static_cast<int>(n);
+};
+
+/// Deepest node of the blank inside the tool, or -1.
+Deepest deepest(const std::vector<Vec3>& sheet, double thickness, const Tool& tool)
+{
+  constexpr std::size_t block = 1024;
+  std::vector<Deepest> of_block((sheet.size() + block - 1) / block);
+  parallel_each(static_cast<int>(of_block.size()), [&](int number) {
+    Deepest& here = of_block[static_cast<std::size_t>(number)];
+    const std::size_t first = block * static_cast<std::size_t>(number);
+    int hint = -1;
+    for (std::size_t n = first; n < std::min(first + block, sheet.size()); ++n) {
+      const SurfacePoint nearest = tool.surface.nearest(sheet[n], hint);
+      hint = nearest.facet;
+      const double overlap = 0.5 * thickness - nearest.distance;
+      if (overlap > here.depth && !(nearest.distance < 0.0 && nearest.on_border))
+        here = {static_cast<int>(n), overlap};
     }
-  }
-  return {node, depth};
+  });
+  Deepest all;
+  for (const Deepest& here : of_block)
+    if (here.node >= 0 && here.depth > all.depth) all = here;
+  return all;
 }
 
 } // namespace
