@@ -64,7 +64,7 @@ struct LoadParameters {
 };
 
 struct ContactParameters {
-  double penalty = 0.1; ///< beta of the penalty stiffness beta m / dt^2
+  double penalty = 0.2; ///< beta of the penalty stiffness beta m / dt^2
   double damping = 0.0; ///< fraction of critical, normal to the tool
   double stick = 1.0;   ///< tangential stick stiffness over the penalty stiffness
 

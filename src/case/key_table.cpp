@@ -166,7 +166,7 @@ std::vector<Row> all_rows()
     {"time.step", AT(c.time.step), D::time, optional, "> 0", "wanted step: elements that need it are made heavier"},
     {"time.mass_damping", AT(c.time.mass_damping), D::frequency, "0", ">= 0", "force on a node over its mass and velocity"},
 
-    {"contact.penalty", AT(c.contact.penalty), D::none, "0.1", "> 0, <= 0.5", "stiffness of contact over node mass / step^2"},
+    {"contact.penalty", AT(c.contact.penalty), D::none, "0.2", "> 0, <= 0.5", "stiffness of contact over node mass / step^2"},
     {"contact.damping", AT(c.contact.damping), D::none, "0.1", "0 .. 1", "normal to the tool, fraction of critical"},
     {"contact.stick", AT(c.contact.stick), D::none, "1", "> 0, <= 1", "tangential stiffness over the normal one"},
 

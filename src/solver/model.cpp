@@ -108,7 +108,7 @@ void set_inertia(const Case& c, Model& model)
   for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
   model.mass = lumped(membrane, model.element_mass, sheet.position.size());
   model.step_factor =
-      std::min(c.time.safety * std::sqrt(1.0 - c.contact.penalty), std::sqrt(c.contact.room()));
+      std::min(c.time.safety * std::sqrt(1.0 - 0.5 * c.contact.penalty), std::sqrt(c.contact.room()));
   set_damping(c.material, sheet.position, model);
   scale_masses(c.time.step.value_or(0.0) / model.step_factor, sheet, model);
   model.added_mass_fraction =

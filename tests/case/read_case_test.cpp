@@ -54,7 +54,7 @@ TEST_F(ReadCase, DefaultsOfWhatIsNotGiven)
   EXPECT_EQ(c.time.mass_scaling, 1.0);
   EXPECT_FALSE(c.time.step);
   EXPECT_EQ(c.time.mass_damping, 0.0);
-  EXPECT_EQ(c.contact.penalty, 0.1);
+  EXPECT_EQ(c.contact.penalty, 0.2);
   EXPECT_EQ(c.contact.damping, 0.1);
   EXPECT_EQ(c.contact.stick, 1.0);
   EXPECT_EQ(c.gates.energy_error, 0.02);

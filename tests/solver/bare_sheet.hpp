@@ -4,6 +4,8 @@
 #include "solver/energy.hpp"
 #include "solver/model.hpp"
 #include "solver/step.hpp"
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace towform::test {
@@ -56,6 +58,24 @@ inline void step_on(const Model& model, System& s, double dt, int steps)
 {
   Phases untimed;
   for (int i = 0; i < steps; ++i) step(model, s, dt, untimed);
+}
+
+/// Largest energy over the first, from speeds of up to `most`, during `rounds` times 20 steps of dt; infinite once it has
+/// run away.
+inline double growth(const Model& model, double dt, double most, int rounds)
+{
+  System s = start(model);
+  shake(s, most);
+  step_on(model, s, dt, 1);
+  const double first = moving_energy(model, s);
+  double largest = first;
+  for (int i = 0; i < rounds; ++i) {
+    step_on(model, s, dt, 20);
+    const double now = moving_energy(model, s);
+    if (!(now < 1e6 * first)) return HUGE_VAL;
+    largest = std::max(largest, now);
+  }
+  return largest / first;
 }
 
 } // namespace towform::test
