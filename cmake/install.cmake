@@ -3,8 +3,11 @@ install(TARGETS towform towform_options EXPORT towformTargets)
 install(TARGETS towform_program)
 install(DIRECTORY include/towform DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY meshes cases DESTINATION ${CMAKE_INSTALL_DATADIR}/towform)
-# What the program says of itself: man page, completion and schema.
+# What the program says of itself: man page, completions and schema.
+set(TOWFORM_ZSH_COMPLETIONS ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING
+  "Where zsh looks for completions (Debian's packages: share/zsh/vendor-completions)")
 foreach(paper "towform.1|manual|${CMAKE_INSTALL_MANDIR}/man1" "towform|completion;bash|${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+    "_towform|completion;zsh|${TOWFORM_ZSH_COMPLETIONS}"
     "case.schema.json|schema|${CMAKE_INSTALL_DATADIR}/towform")
   string(REPLACE "|" ";" paper "${paper}")
   list(GET paper 0 name)
