@@ -107,11 +107,23 @@ class Page(Program):
     def test_draws_the_points_that_the_case_names(self):
         self.write("measured.csv", "layup,arc_mm,shear_deg\nA,5,1\nA,20,3\nB,5,40\n")
         page = self.formed("--set", "report.reference=measured.csv", "--set", "report.where=layup=A").read_text()
-        self.assertRegex(page, r"The sheet and measured.csv: RMS [\d.]+ ° over 2 points")
+        self.assertRegex(page, r"The sheet and measured.csv: RMS [\d.]+° over 2 points")
         self.assertEqual(len(re.findall(r'<circle class="mark series-1" cx="\d+\.\d" cy="\d+\.\d" r="3.2"/>', page)), 2)
         page = self.formed("--set", "report.reference=measured.csv").read_text()
         self.assertRegex(page, r"measured.csv is not drawn: .*layup")  # two sets are not mixed
         self.assertIn("Shear along the section", page)
+
+    def test_draws_the_rim_of_a_part_that_goes_on_beyond_its_mirrors(self):
+        self.write("rim.csv", "x_mm,y_mm\n30,0\n30,10\n0,30\n")
+        page = self.formed("--set", "report.reference=rim.csv", "--set", "blank.symmetry=quarter").read_text()
+        self.assertRegex(page, r"The sheet and rim.csv: RMS [\d.]+ mm over 3 points")
+        figure = page[page.index("The sheet and rim.csv"):].split("</svg>")[0]
+        path = re.search(r'<path class="curve series-0" d="([^"]*)"', figure).group(1)
+        at = [tuple(map(float, point)) for point in re.findall(r"([\d.]+) ([\d.]+)", path)]
+        left, bottom = min(x for x, _ in at), max(y for _, y in at)
+        for (x0, y0), (x1, y1) in (zip(at, at[1:])):  # nothing along the axes
+            self.assertFalse(x0 < left + 1 and x1 < left + 1 and abs(y1 - y0) > 5, path)
+            self.assertFalse(y0 > bottom - 1 and y1 > bottom - 1 and abs(x1 - x0) > 5, path)
 
     def test_is_escaped(self):
         page = self.formed("--set", "title=<b>1 & \"2\"</b><script>alert(1)</script>").read_text()
