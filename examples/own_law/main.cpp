@@ -1,5 +1,5 @@
-// A shear law of one's own: the weave's resistance from a table, as a picture frame measures it at a crawl, and
-// beside it a Maxwell element for the resin. Forms a case with the case's law and with this one:
+// A shear law of one's own: the weave's resistance from a table, as a picture frame measures it at a crawl,
+// and beside it a Maxwell element for the resin. Forms a case with the case's law and with this one:
 //     own_law CASE.toml DIR [key.path=value]...
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 #include <towform/shear_law.hpp>
 
 class TableAndResin : public towform::ShearLaw {
-  static constexpr double cell = 10.0 * 3.14159265358979323846 / 180.0;               // of the table [rad]
-  static constexpr std::array<double, 8> table{0, 8, 14, 24, 44, 90, 200, 450};        // N at 0, 10 ... 70 deg [N/m]
-  double spring_ = 1e4, relaxation_ = 4e-4;                                            // of the resin [N/m], [s]
+  static constexpr double cell = 10.0 * 3.14159265358979323846 / 180.0;         // of the table [rad]
+  static constexpr std::array<double, 8> table{0, 8, 14, 24, 44, 90, 200, 450}; // N at 0, 10 ... 70 deg [N/m]
+  double spring_ = 1e4, relaxation_ = 4e-4;                                     // of the resin [N/m], [s]
 
   static double weave(double angle) // N(theta), straight between the points of the table and beyond the last
   {
@@ -38,7 +38,8 @@ try {
   if (argc < 3) return std::fprintf(stderr, "usage: own_law CASE.toml DIR [key.path=value]...\n"), 2;
   towform::Case c = towform::read_case(argv[1], {argv + 3, argv + argc});
   const auto form = [&](const char* law) {
-    const auto outcome = towform::run(c, {.directory = std::string(argv[2]) + '/' + law, .quiet = true, .force = true});
+    const auto outcome =
+        towform::run(c, {.directory = std::string(argv[2]) + '/' + law, .quiet = true, .force = true});
     const towform::Summary& s = outcome.summary;
     std::printf("%-8s punch %.1f N, largest shear %.2f deg", law, s.punch_force_max_N, s.shear_angle_max_deg);
     for (const auto& [kind, joules] : s.energies_J)
