@@ -4,6 +4,7 @@
 #include "compare/comparison_text.hpp"
 #include "compare/condition.hpp"
 #include "output/text_file.hpp"
+#include "output/while_written.hpp"
 #include <cmath>
 #include <fmt/format.h>
 #include <sstream>
@@ -94,7 +95,9 @@ void compare(const CompareArguments& a, ExitCode& code)
   keep_rows(table, conditions);
   const ReferencePoints reference = read_columns(table, choices);
   const ComparisonOptions options = a.options(!reference.of(PointRole::shear));
-  const SheetResult sheet = read_sheet(a.results, a.frame);
+  const std::filesystem::path results = a.results;
+  const SheetResult sheet =
+      read_while_written(results.parent_path(), 10.0, [&] { return read_sheet(results, a.frame); });
   const Comparison result = usage("towform compare", [&] { return compare(sheet, reference, options); });
   fmt::print("{}, frame {} of 0 to {}, {:g} ms, against {}\n{}", a.results, sheet.frame, sheet.frames - 1,
              1e3 * sheet.time, a.reference,

@@ -1,9 +1,9 @@
 #include "manual_command.hpp"
 #include "case/key_value.hpp"
+#include "completion.hpp"
 #include "towform/case_schema.hpp"
 #include "version.hpp"
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace towform {
 
@@ -25,11 +25,6 @@ std::string roff(const std::string& text)
       safe += c;
   }
   return safe;
-}
-
-std::vector<const CLI::App*> commands_of(const CLI::App& app)
-{
-  return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
 std::string option_line(const CLI::Option& option)
@@ -98,54 +93,6 @@ std::string man_page(const CLI::App& app)
   return text + ".SH ENVIRONMENT\n.TP\n.B NO_COLOR\nset to anything: no colour on the terminal\n";
 }
 
-std::vector<std::string> words_of(const CLI::App& app)
-{
-  std::vector<std::string> words;
-  for (const CLI::App* inner : commands_of(app)) words.push_back(inner->get_name());
-  for (const CLI::Option* option : app.get_options())
-    if (!option->get_positional())
-      for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
-  return words;
-}
-
-/// One line of the case statement for each command and command of a command.
-void completion_lines(const CLI::App& app, const std::string& before, std::string& lines)
-{
-  lines += fmt::format("    '{}') words='{}' ;;\n", before, fmt::join(words_of(app), " "));
-  for (const CLI::App* inner : commands_of(app))
-    completion_lines(*inner, before.empty() ? inner->get_name() : before + " " + inner->get_name(), lines);
-}
-
-std::string bash_completion(const CLI::App& app)
-{
-  std::string lines, keys;
-  completion_lines(app, "", lines);
-  for (const Row& row : key_table())
-    if (!is_list_section(row.section())) keys += row.path + "= ";
-  return fmt::format(R"(# Written by `towform completion bash`.
-_towform() {{
-  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} command='' words='' i
-  if [ "$previous" = --set ]; then
-    compopt -o nospace
-    COMPREPLY=($(compgen -W '{}' -- "$current"))
-    return
-  fi
-  for ((i = 1; i < COMP_CWORD; i++)); do
-    case "${{COMP_WORDS[i]}}" in -*) ;; *) case "$command ${{COMP_WORDS[i]}}" in
-      ' '*|'material '*|'mesh '*|'completion '*) command="${{command:+$command }}${{COMP_WORDS[i]}}" ;; esac ;; esac
-  done
-  case "$command" in
-{}  esac
-  case "$current" in
-    -*) COMPREPLY=($(compgen -W "$words" -- "$current")) ;;
-    *) COMPREPLY=($(compgen -W "${{words//--*/}}" -- "$current") $(compgen -f -- "$current")) ;;
-  esac
-}}
-complete -o filenames -F _towform towform
-)",
-                     keys, lines);
-}
-
 } // namespace
 
 void add_manual_commands(CLI::App& app)
@@ -160,6 +107,8 @@ void add_manual_commands(CLI::App& app)
   completion->add_subcommand("bash", "for bash: source <(towform completion bash)")->callback([all] {
     fmt::print("{}", bash_completion(*all));
   });
+  completion->add_subcommand("zsh", "for zsh: source <(towform completion zsh), after compinit")
+      ->callback([all] { fmt::print("{}", zsh_completion(*all)); });
 }
 
 } // namespace towform

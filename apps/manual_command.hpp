@@ -3,7 +3,7 @@
 
 namespace towform {
 
-/// Adds `towform manual` (the man page), `towform completion bash` and `towform schema`, which print what is
+/// Adds `towform manual` (the man page), `towform completion bash` or `zsh` and `towform schema`, which print what is
 /// installed with the program. Man page and completion walk the program's own commands and options, and the
 /// table of keys: nothing is written twice. To be added last.
 void add_manual_commands(CLI::App& app);

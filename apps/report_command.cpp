@@ -20,6 +20,11 @@ void add_report_command(CLI::App& app)
           "of the page's data [MB]: frames are left out until it fits [14]")
       ->type_name("MB")
       ->check(CLI::Range(0.1, 1000.0));
+  command
+      ->add_option("--wait", options->wait,
+                   "seconds to wait for results that a run is writing and that cannot be read yet [10]")
+      ->type_name("SECONDS")
+      ->check(CLI::NonNegativeNumber);
   command->callback([directory, options] {
     const ReportOutcome outcome = write_report(*directory, *options);
     for (const std::string& note : outcome.notes) fmt::print("{}\n", note);

@@ -4,6 +4,7 @@
 #include "manual_command.hpp"
 #include "material_command.hpp"
 #include "mesh_command.hpp"
+#include "output/while_written.hpp"
 #include "report_command.hpp"
 #include "run_command.hpp"
 #include "study_command.hpp"
@@ -24,7 +25,10 @@ void add_info(CLI::App& app)
   CLI::App* command = app.add_subcommand("info", "say what a results file holds");
   auto path = std::make_shared<std::string>();
   command->add_option("results", *path, "results.h5")->required()->type_name("RESULTS.h5");
-  command->callback([path] { fmt::print("{}", describe_results(*path)); });
+  command->callback([path] {
+    const std::filesystem::path file = *path;
+    fmt::print("{}", read_while_written(file.parent_path(), 10.0, [&] { return describe_results(file); }));
+  });
 }
 
 } // namespace

@@ -2,14 +2,17 @@
 #include "towform/energy_model.hpp"
 #include "towform/vec3.hpp"
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace towform {
 
-/// How the shear-force surface becomes a stress (physics of the three laws: src/material/fabric_law.hpp).
-enum class LawKind { viscous, incremental, elastic };
+/// How the shear-force surface becomes a stress (physics of the laws: src/material/fabric_law.hpp); `own` is a
+/// law that the calling program brings (towform/shear_law.hpp).
+enum class LawKind { viscous, incremental, elastic, own };
+class ShearLaw;
 
 /// Which curve the incremental law follows.
 enum class CurveSelection { next_higher, interpolate };
@@ -36,6 +39,8 @@ struct MaterialParameters {
   Constituents constituents; ///< with curves or shear_tangent only its density is used
   double temperature = 0.0;  ///< of the sheet [K]
   LawKind law = LawKind::viscous;
+  std::shared_ptr<const ShearLaw> own_law; ///< of the program, set by use_law; no file can hold it
+  std::string own_law_words;               ///< its description
   CurveSelection curve_selection = CurveSelection::next_higher;
   double velocity_scale = 1.0;     ///< multiplies the rate where a curve is chosen, nowhere else
   double curve_rate_min = 0.0;     ///< first curve's angular rate [rad/s]

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace towform {
@@ -22,7 +23,8 @@ struct RunOptions {
   bool quiet = false;              ///< nothing but errors
   bool force = false;              ///< replace the results of an earlier run
   RunControls controls{};
-  bool json_progress = false; ///< a line of JSON at each output in place of words
+  bool json_progress = false;            ///< a line of JSON at each output in place of words
+  std::shared_ptr<const ShearLaw> law{}; ///< of the program, to `resume` a run that it was used in
 };
 
 /// How a run ended: everything computed until then is on disk and readable.
@@ -39,7 +41,7 @@ RunOutcome run(const Case& c, const RunOptions& options);
 
 /// Goes on with the run in a directory from its newest checkpoint that is whole, to the same bits as if it
 /// had never stopped, on any number of threads (`force` means nothing). A run that is done is an outcome as
-/// it is. Throws CheckpointError when there is none or the case or one of its files has changed.
+/// it is. Throws CheckpointError when there is none or the case, its law or one of its files has changed.
 RunOutcome resume(const RunOptions& options);
 
 /// What `run` would do, in words: elements, steps, tools, yarns. Throws InputError as `run` does.

@@ -106,7 +106,7 @@ struct Checker {
     const MaterialParameters& m = c.material;
     if (!m.curves.empty() && !m.shear_tangent.empty())
       issue("material.curves", "material has both curves and shear_tangent; give one");
-    if (!m.shear_tangent.empty() && m.law != LawKind::elastic)
+    if (!m.shear_tangent.empty() && (m.law == LawKind::viscous || m.law == LawKind::incremental))
       issue("material.law", fmt::format("law \"{}\" follows the rate, of which shear_tangent knows nothing; "
                                         "a sheet with shear_tangent needs law = \"elastic\"",
                                         m.law == LawKind::viscous ? "viscous" : "incremental"));

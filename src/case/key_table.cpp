@@ -50,6 +50,7 @@ bool arrhenius(const Case& c)
   return model(c) && c.material.constituents.matrix.shift == TemperatureShift::arrhenius;
 }
 bool wlf(const Case& c) { return model(c) && c.material.constituents.matrix.shift == TemperatureShift::wlf; }
+bool own_law(const Case& c) { return c.material.law == LawKind::own; }
 bool bending(const Case& c) { return c.material.has_bending(); }
 
 /// Words that mean something for grips only.
@@ -94,7 +95,8 @@ std::vector<Row> all_rows()
     {"material.source", AT(c.material.source), D::none, optional, "", "where the values come from; shown with every prediction"},
     {"material.curves", AT(c.material.curves), D::none, optional, "", "file of shear curves that takes the place of the model of the constituents, looked for as a tool's mesh is (named in a card, also beside it)"},
     {"material.shear_tangent", AT(c.material.shear_tangent), D::pressure, optional, "", "[c0, c1, …]: tangent shear modulus c0 + c1 g + c2 g^2 + … over the shear angle g in rad, times the thickness, in place of the model; negative counts as 0; law elastic only"},
-    {"material.law", words(AT(c.material.law), {"viscous", "incremental", "elastic"}), D::none, "viscous", "", "how the shear force follows the angle and its rate"},
+    {"material.law", words(AT(c.material.law), {"viscous", "incremental", "elastic", "own"}), D::none, "viscous", "", "how the shear force follows the angle and its rate; own: a law of the program that calls towform as a library (docs/library.md)"},
+    {"material.own_law", AT(c.material.own_law_words), D::none, required, "", "that law in the program's words, as its results record it", "", false, own_law},
     {"material.curve_selection", words(AT(c.material.curve_selection), {"next_higher", "interpolate"}), D::none, "next_higher", "", "which curve the incremental law follows"},
     {"material.velocity_scale", AT(c.material.velocity_scale), D::none, "1", "> 0", "factor on the rate where a curve is chosen, nowhere else"},
     {"material.temperature", AT(c.material.temperature), D::temperature, required, "200 K .. 1000 K", "of the sheet"},

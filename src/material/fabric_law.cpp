@@ -1,4 +1,5 @@
 #include "material/fabric_law.hpp"
+#include "material/own_law.hpp"
 #include "material/shear_resistance.hpp"
 #include "material/shear_surface.hpp"
 #include <stdexcept>
@@ -28,6 +29,7 @@ FabricMaterial tangent_material(const MaterialParameters& m, double thickness)
 
 FabricMaterial make_fabric_material(const MaterialParameters& m, double thickness)
 {
+  if (m.law == LawKind::own) return own_material(m);
   if (!m.shear_tangent.empty()) return tangent_material(m, thickness);
   FabricMaterial result;
   std::function<double(double, double)> force;
@@ -56,6 +58,8 @@ FabricMaterial make_fabric_material(const MaterialParameters& m, double thicknes
                                 ? result.curves
                                 : std::make_shared<const ShearCurves>(
                                       fit_curves(force, m.elastic_rate, m.elastic_rate, 1, max_angle))};
+    break;
+  case LawKind::own: // above
     break;
   }
   return result;

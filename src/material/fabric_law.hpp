@@ -2,6 +2,7 @@
 #include "material/shear_curves.hpp"
 #include "material/shear_table.hpp"
 #include "towform/material.hpp"
+#include "towform/shear_law.hpp"
 #include "towform/state.hpp"
 #include <cmath>
 #include <memory>
@@ -137,7 +138,18 @@ struct ElasticLaw {
   }
 };
 
-using FabricLaw = std::variant<ViscousLaw, IncrementalLaw, ElasticLaw>;
+/// `"own"`: the law that the calling program brought.
+struct OwnLaw {
+  std::shared_ptr<const ShearLaw> law;
+
+  double update(ShearPoint& p, double angle, double dt) const { return law->update(p, angle, dt); }
+  double tangent(const ShearPoint& before, const ShearPoint& after, double dt) const
+  {
+    return law->tangent(before, after, dt);
+  }
+};
+
+using FabricLaw = std::variant<ViscousLaw, IncrementalLaw, ElasticLaw, OwnLaw>;
 
 /// The law of a case with its surface and curves.
 struct FabricMaterial {

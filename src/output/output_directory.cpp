@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+fs::path lock_path(const fs::path& directory) { return directory / ".towform.lock"; }
+
 std::string reason() { return std::generic_category().message(errno); }
 
 /// Whether the file that is open is still the one of that name: its last owner may have removed it.
@@ -51,7 +53,16 @@ void refuse_earlier_results(const fs::path& directory)
       resumable ? fmt::format(", 'towform resume {}' goes on with that run", directory.string()) : ""));
 }
 
-OutputDirectory::OutputDirectory(const fs::path& directory) : lock_(directory / ".towform.lock")
+bool is_in_use(const fs::path& directory)
+{
+  const int file = ::open(lock_path(directory).c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool taken = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  return taken;
+}
+
+OutputDirectory::OutputDirectory(const fs::path& directory) : lock_(lock_path(directory))
 {
   make_directory(directory);
   while (true) {

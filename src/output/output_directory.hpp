@@ -7,6 +7,9 @@ namespace towform {
 /// checkpoint of an earlier run.
 void refuse_earlier_results(const std::filesystem::path& directory);
 
+/// Whether a run has the directory now.
+bool is_in_use(const std::filesystem::path& directory);
+
 /// A directory that one run has for itself: made when missing, locked until this object goes or the process
 /// dies. Throws FileError when it cannot be made or written, or while another run has it.
 class OutputDirectory {

@@ -71,7 +71,8 @@ std::string figures(const RunRecord& run)
       figure(part("draw_in_mm", "y_mid"), "{:.1f}", " mm", "draw-in along y") +
       figure(run.figure("punch_force_max_N"), "{:.4g}", " N", "largest driving force") +
       figure(100.0 * run.figure("energy_error"), "{:.2g}", " %", "energy error") +
-      figure(kinetic > 0.0 ? 100.0 * kinetic : NAN, "{:.2g}", " %", "kinetic energy, second half") +
+      figure(kinetic > 0.0 ? 100.0 * kinetic : NAN, kinetic < 0.1 ? "{:.2g}" : "{:.0f}", " %",
+             "kinetic energy, second half") +
       figure(run.figure("penetration_max_mm"), "{:.2g}", " mm", "deepest penetration") +
       figure(100.0 * run.figure("fibre_strain_p99"), "{:.2g}", " %", "yarn strain, 99 %");
   return list.empty() || run.is_preview() ? "" : "<ul class=\"figures\">" + list + "</ul>\n";

@@ -1,5 +1,6 @@
 #include "towform/report.hpp"
 #include "output/text_file.hpp"
+#include "output/while_written.hpp"
 #include "report/page.hpp"
 #include "report/resources.hpp"
 #include "report/run_plots.hpp"
@@ -7,7 +8,9 @@
 
 namespace towform {
 
-ReportOutcome write_report(const std::filesystem::path& directory, const ReportOptions& options)
+namespace {
+
+ReportOutcome report_now(const std::filesystem::path& directory, const ReportOptions& options)
 {
   const RunRecord run = read_run(directory);
   const ResultsFrames frames(directory / "results.h5");
@@ -25,6 +28,13 @@ ReportOutcome write_report(const std::filesystem::path& directory, const ReportO
   ReportOutcome outcome{directory / "report.html", page.size(), content.notes};
   replace_file(outcome.path, page);
   return outcome;
+}
+
+} // namespace
+
+ReportOutcome write_report(const std::filesystem::path& directory, const ReportOptions& options)
+{
+  return read_while_written(directory, options.wait, [&] { return report_now(directory, options); });
 }
 
 } // namespace towform

@@ -1,5 +1,6 @@
 #include "report/run_record.hpp"
 #include "compare/point_table.hpp"
+#include "output/output_directory.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
 #include <algorithm>
@@ -80,6 +81,7 @@ RunRecord read_run(const fs::path& directory)
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored))
     throw FileError(fmt::format("{}: there is no such directory", directory.string()));
+  run.goes_on = is_in_use(directory);
   run.sheet = read_sheet(directory / "results.h5", std::nullopt);
   const auto gap = [&](const char* file, const std::string& why) {
     run.gaps.push_back(fmt::format("{}: {}", file, why));
@@ -98,7 +100,9 @@ RunRecord read_run(const fs::path& directory)
     gap("history.csv", std::string("cannot be read: ") + e.what());
   }
   run.summary = nlohmann::ordered_json::object();
-  if (const auto text = text_of(directory / "summary.json")) {
+  if (run.goes_on) { // one that is there is an earlier run's
+    gap("summary.json", "is written when the run ends");
+  } else if (const auto text = text_of(directory / "summary.json")) {
     auto json = nlohmann::ordered_json::parse(*text, nullptr, false);
     if (json.is_object())
       run.summary = std::move(json);

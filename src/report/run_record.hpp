@@ -20,6 +20,7 @@ struct RunRecord {
   nlohmann::ordered_json summary;                     ///< an empty object when there is none
   std::string resolved_case, log;
   std::vector<std::string> gaps; ///< sentences
+  bool goes_on = false;          ///< a run had the directory while it was read
 
   [[nodiscard]] bool has(const std::string& column) const { return history.count(column) > 0; }
   [[nodiscard]] double figure(const char* name) const; ///< of the summary; NaN when it has none

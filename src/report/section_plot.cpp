@@ -123,8 +123,8 @@ public:
     const std::string of = wishes_.reference.filename().string();
     const bool outline = comparison_.kind == ComparisonKind::outline;
     Plot p;
-    p.title = fmt::format("The sheet and {}: RMS {:.2g} {} over {} points", of,
-                          outline ? 1e3 * comparison_.rms : comparison_.rms, outline ? "mm" : "°",
+    p.title = fmt::format("The sheet and {}: RMS {:.2g}{} over {} points", of,
+                          outline ? 1e3 * comparison_.rms : comparison_.rms, outline ? " mm" : "°",
                           comparison_.compared);
     p.y_label = comparison_.magnitudes ? "|shear angle| [°]" : "shear angle [°]";
     switch (comparison_.kind) {
@@ -188,6 +188,7 @@ private:
     p.equal_scales = true;
     PlotSeries sheet{"sheet", {}, false}, points{"reference", {}, true};
     for (const std::array<int, 2>& edge : outline_edges(run_.sheet.flat.triangles)) {
+      if (is_mirrored(edge)) continue;
       for (const int n : edge)
         sheet.points.emplace_back(1e3 * run_.sheet.position[n].x, 1e3 * run_.sheet.position[n].y);
       sheet.points.emplace_back(nothing, nothing);
@@ -195,6 +196,20 @@ private:
     for (const ComparedPoint& c : comparison_.points)
       points.points.emplace_back(1e3 * c.reference[PointRole::x], 1e3 * c.reference[PointRole::y]);
     p.series = {std::move(sheet), std::move(points)};
+  }
+
+  /// Whether an edge lies on a plane of symmetry, where the part goes on.
+  [[nodiscard]] bool is_mirrored(const std::array<int, 2>& edge) const
+  {
+    const Symmetry symmetry = run_.run_case->blank.symmetry;
+    const auto on = [&](double Vec3::*across) {
+      constexpr double near = 1e-9; // m
+      const std::vector<Vec3>& flat = run_.sheet.flat.points;
+      return std::abs(flat[edge[0]].*across) < near && std::abs(flat[edge[1]].*across) < near;
+    };
+    const bool quarter = symmetry == Symmetry::quarter;
+    return ((quarter || symmetry == Symmetry::x) && on(&Vec3::x)) ||
+           ((quarter || symmetry == Symmetry::y) && on(&Vec3::y));
   }
 
   const RunRecord& run_;

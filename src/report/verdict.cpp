@@ -18,12 +18,16 @@ Finding ending(const RunRecord& run)
 {
   const std::string status = run.summary.value("status", "");
   const std::string message = run.summary.value("message", "");
+  if (run.goes_on) // whatever an earlier run left as its summary
+    return {Grade::watch,
+            fmt::format("The run goes on: what is shown ends at {:.4g}{} ms.", 1e3 * run.sheet.time,
+                        run.run_case ? fmt::format(" of {:.4g}", 1e3 * run.run_case->time.end) : "")};
   if (status == "done") return {Grade::good, "The run went to its end."};
   if (status == "preview")
     return {Grade::watch, "A preview: sheet and tools as they start. Nothing has been computed."};
   if (status.empty())
-    return {Grade::watch, fmt::format("The run goes on, or was killed: what is shown ends at {:.4g} ms.",
-                                      1e3 * run.sheet.time)};
+    return {Grade::watch,
+            fmt::format("The run was killed: what is shown ends at {:.4g} ms.", 1e3 * run.sheet.time)};
   return {status == "interrupted" ? Grade::watch : Grade::bad,
           fmt::format("The run did not go to its end: {}.", message.empty() ? status : message)};
 }

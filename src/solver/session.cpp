@@ -1,4 +1,5 @@
 #include "solver/session.hpp"
+#include "towform/shear_law.hpp"
 #include <fmt/format.h>
 
 namespace towform {
@@ -11,6 +12,17 @@ std::unique_ptr<OutputDirectory> hold(const std::filesystem::path& directory)
   if (!std::filesystem::is_directory(directory, ignored))
     throw FileError(fmt::format("{}: there is no such directory", directory.string()));
   return std::make_unique<OutputDirectory>(directory);
+}
+
+/// The law of the program that goes on with a run.
+void bring_law(Case& c, const std::shared_ptr<const ShearLaw>& law, const std::filesystem::path& directory)
+{
+  const std::string words = c.material.own_law_words;
+  if (law->description() != words)
+    throw CheckpointError(
+        fmt::format("{}: the run has {}, not the law that was brought: {}", directory.string(),
+                    words.empty() ? "no law of a program" : "the law " + words, law->description()));
+  use_law(c, law);
 }
 
 } // namespace
@@ -29,6 +41,7 @@ Session::Session(const RunOptions& options)
   StartedRun started = started_run(options.directory);
   c_ = std::move(started.c);
   origin_ = std::move(started.origin);
+  if (options.law) bring_law(c_, options.law, options.directory);
 }
 
 void Session::begin(Record& record, std::function<void(FieldVisitor&)> state)

@@ -4,8 +4,12 @@ import json
 import os
 import pty
 import re
+import select
+import shutil
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
 import h5py
@@ -85,6 +89,45 @@ class Papers(Program):
         self.assertEqual(self.completed("towform", "material", "p"), ["predict", "press.toml", "punch.stl"])
         self.assertIn("--max-wall", self.completed("towform", "run", "press.toml", "--max"))
         self.assertEqual(self.completed("towform", "run", "press.toml", "--set", "blank.th"), ["blank.thickness="])
+
+    @unittest.skipUnless(shutil.which("zsh"), "zsh is not there (Debian package zsh)")
+    def test_zsh_completes_the_same(self):
+        """A real zsh on a terminal, with the script where it looks for such."""
+        functions = self.directory / "functions"
+        functions.mkdir()
+        (functions / "_towform").write_text(self.towform("completion", "zsh").stdout)
+        bin_ = self.directory / "bin"
+        bin_.mkdir()
+        (bin_ / "towform").symlink_to(PROGRAM)
+        pid, terminal = pty.fork()
+        if pid == 0:
+            os.chdir(self.directory)
+            os.execvpe("zsh", ["zsh", "-f", "-i"], {"PATH": f"{bin_}:/usr/bin:/bin", "TERM": "dumb", "HOME": str(self.directory),
+                                                    "PS1": "> ", "LC_ALL": "C.UTF-8"})
+        self.addCleanup(os.close, terminal)
+        self.addCleanup(os.waitpid, pid, 0)
+        self.addCleanup(os.kill, pid, signal.SIGKILL)
+        seen = ""
+
+        def answer(keys, wanted):
+            nonlocal seen
+            seen = ""
+            os.write(terminal, keys.encode())
+            end = time.monotonic() + 20
+            while wanted not in seen and time.monotonic() < end:
+                if select.select([terminal], [], [], 0.5)[0]:
+                    seen += os.read(terminal, 65536).decode(errors="replace").replace("\a", "")
+            self.assertIn(wanted, seen, repr(seen))
+
+        # The mark is put together by the shell, so that the echo of the command is not taken for its answer.
+        answer(f"fpath=({functions} $fpath); autoload -Uz compinit; compinit -u -D; LISTMAX=999; print rea''dy\n", "ready")
+        for typed, wanted in (("towform rep\t", "report "), ("towform material p\t", "predict"),
+                              ("towform run press.toml --max-w\t", "--max-wall"),
+                              ("towform run press.toml --set blank.th\t", "blank.thickness="),
+                              ("towform report --m\t", "--max-size"), ("towform run pre\t", "press.toml"),
+                              ("towform completion \t", "for zsh: source"), ("towform sch\t", "schema")):
+            answer(typed, wanted)
+            answer("\x15print don''e\n", "done")
 
 
 class Terminal(Program):

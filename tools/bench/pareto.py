@@ -9,6 +9,7 @@ import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import LogFormatter  # noqa: E402
 from matplotlib.tri import LinearTriInterpolator, Triangulation  # noqa: E402
 
 from bench.timing import run_once  # noqa: E402
@@ -98,6 +99,13 @@ def front(rows):
     return found
 
 
+class PlainNumbers(LogFormatter):
+    """1.5 on a logarithmic axis, not 1.5 x 10^0."""
+
+    def __call__(self, value, position=None):
+        return f"{value:g}" if super().__call__(value, position) else ""
+
+
 def plot(rows, path):
     cases = sorted({row["case"] for row in rows})
     figure, axes = plt.subplots(1, len(cases), figsize=(5.5 * len(cases), 4.2), squeeze=False)
@@ -114,6 +122,9 @@ def plot(rows, path):
         axis.axhline(1.0, color="0.8", zorder=0)
         axis.set(xscale="log", yscale="log", xlabel="wall time, s", ylabel="shear angle from the reference, deg RMS",
                  title=case.replace("_", " "))
+        for side in (axis.xaxis, axis.yaxis):
+            side.set_major_formatter(PlainNumbers())
+            side.set_minor_formatter(PlainNumbers(labelOnlyBase=False, minor_thresholds=(2, 0.4)))
         axis.legend(fontsize=8)
     figure.tight_layout()
     figure.savefig(path)

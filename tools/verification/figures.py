@@ -173,13 +173,13 @@ def laws(workshop):
 # --- Figure 13 -----------------------------------------------------------------------------------------------
 
 
-def dome_panel(figure, place, frame, triangles, values, scale, cmap):
-    """A formed sheet seen obliquely, in a part of the figure (fractions: left, bottom, width, height)."""
+def dome_panel(figure, place, frame, triangles, values, scale, cmap, width):
+    """A formed sheet seen obliquely, in a part of the figure (fractions: left, bottom, width, height) `width` m wide."""
     pixels = [int(round(p * DPI * s)) for p, s in zip(place[2:], figure.get_size_inches())]
     view = projected(turned_up(frame.position), "iso")
     colours = shaded(cmap(scale(values))[:, :3], view, triangles)
     low, high = view[:, :2].min(axis=0), view[:, :2].max(axis=0)
-    image = sheet_image(view, triangles, colours, 0.5 * (low + high), 0.74 / pixels[0], *pixels)
+    image = sheet_image(view, triangles, colours, 0.5 * (low + high), width / pixels[0], *pixels)
     axes = figure.add_axes(place)
     axes.imshow(image, interpolation="none")
     axes.axis("off")
@@ -188,11 +188,12 @@ def dome_panel(figure, place, frame, triangles, values, scale, cmap):
 def figure_13(directory, name):
     results = Results(directory)
     figure = new_figure(9.0, 12.6)
+    width = 1.03 * np.ptp(projected(results.reference, "iso")[:, 0])  # the flat blank is the widest
     shear, index = (Normalize(0, 40), colormaps["viridis"]), (Normalize(1, 20), colormaps["cividis"])
     for row, time in enumerate((0.0, *paper_checks.TIMES)):
         frame, bottom = results.at(time), 0.765 - 0.235 * row
         for column, (values, (scale, cmap)) in enumerate(((np.abs(frame.shear_angle), shear), (frame.curve_index, index))):
-            dome_panel(figure, (0.04 + 0.48 * column, bottom, 0.46, 0.22), frame, results.triangles, values, scale, cmap)
+            dome_panel(figure, (0.04 + 0.48 * column, bottom, 0.46, 0.22), frame, results.triangles, values, scale, cmap, width)
         figure.text(0.02, bottom + 0.20, f"{time:g} s", fontsize=11)
     for left, (scale, cmap), label in ((0.1, shear, "shear angle [deg]"), (0.58, index, "curve indicator")):
         figure.colorbar(ScalarMappable(scale, cmap), cax=figure.add_axes([left, 0.035, 0.34, 0.01]),

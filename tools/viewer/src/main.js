@@ -17,6 +17,7 @@ ColorManagement.enabled = false; // colours as the bar has them
 
 const VIEWS = { iso: [-0.62, -1, 0.75], below: [-0.62, -1, -0.75], top: [0, -1e-4, 1], front: [0, -1, 0], side: [1, 0, 0] };
 const FRAMES_A_SECOND = 10;
+const MARGIN = 0.16; // of the view, round the sheet: bar and buttons are there
 
 class Viewer {
   constructor(root, scene, triangles, reference, position, tools) {
@@ -68,16 +69,22 @@ class Viewer {
     return box;
   }
 
+  /** Looks at the middle of the sheet from where the whole of it is just seen. */
   look(view) {
-    const sheet = new Box3().setFromObject(this.sheet.group);
-    const centre = sheet.getCenter(new Vector3());
-    const radius = 0.5 * sheet.getSize(new Vector3()).length();
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = (1.02 * radius) / Math.sin((Math.PI / 360) * this.camera.fov) / narrow;
-    this.camera.near = 0.02 * distance;
-    this.camera.far = 10 * distance;
-    this.camera.position.copy(centre).addScaledVector(new Vector3(...VIEWS[view]).normalize(), distance * (narrow < 1 ? 0.9 : 0.78));
-    this.camera.updateProjectionMatrix();
+    const { camera } = this;
+    const centre = new Box3().setFromObject(this.sheet.group).getCenter(new Vector3());
+    camera.position.copy(centre).add(new Vector3(...VIEWS[view]).normalize());
+    camera.lookAt(centre);
+    camera.updateMatrixWorld();
+    const upright = (1 - MARGIN) * Math.tan((Math.PI / 360) * camera.fov);
+    const distance = this.sheet.points().reduce((most, point) => {
+      const seen = point.applyMatrix4(camera.matrixWorldInverse); // from one length unit away, along -z
+      return Math.max(most, seen.z + 1 + Math.max(Math.abs(seen.x) / camera.aspect, Math.abs(seen.y)) / upright);
+    }, 0);
+    camera.near = 0.02 * distance;
+    camera.far = 10 * distance;
+    camera.position.sub(centre).multiplyScalar(distance).add(centre);
+    camera.updateProjectionMatrix();
     this.orbit.target.copy(centre);
     this.orbit.update();
     this.draw();

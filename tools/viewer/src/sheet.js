@@ -1,6 +1,6 @@
 // The sheet: triangles with one colour each (or colours at the nodes), yarn lines on it, mesh edges, mirror images.
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial,
+  BufferAttribute, BufferGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshLambertMaterial, Vector3,
 } from 'three';
 
 /** Signs of the images that make a whole of a part that was modelled. */
@@ -103,6 +103,15 @@ export class Sheet {
       if (object.userData.kind) object.visible = kinds[object.userData.kind];
     });
     this.shown = kinds;
+  }
+
+  /** Where its nodes are, of every image that is shown. */
+  points() {
+    const points = [];
+    for (const image of this.images.filter(({ visible }) => visible))
+      for (let i = 0; i < this.nodes.length; i += 3)
+        points.push(new Vector3(this.nodes[i] * image.scale.x, this.nodes[i + 1] * image.scale.y, this.nodes[i + 2]));
+    return points;
   }
 
   /** Puts the sheet where it is in a frame. */
