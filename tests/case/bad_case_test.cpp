@@ -60,7 +60,7 @@ const std::vector<Bad> bad_lines{
     {14, "relaxation_ratio = 1e-5", "14:20", "must be within 1e-4 .. 1"},
     // Words
     {11, "law = \"viscos\"", "11:7", "did you mean `viscous`?"},
-    {11, "law = \"plastic\"", "11:7", "must be \"viscous\", \"incremental\" or \"elastic\""},
+    {11, "law = \"plastic\"", "11:7", "must be \"viscous\", \"incremental\", \"elastic\" or \"own\""},
     {8, "pattern = \"daigonal\"", "8:11", "did you mean `diagonal`?"},
     {14, "matrix = { model = \"carreau\" }", "14:20", "must be \"cross\""},
     // Unknown keys
