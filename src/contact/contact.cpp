@@ -39,7 +39,6 @@ namespace {
 /// Nodes are taken in blocks: a block belongs to one thread, and sums run over blocks in their order.
 constexpr int block_size = NodeLanes::size;
 constexpr int groups_a_block = block_size / NodeLanes::group;
-using BlockMarks = std::array<std::int32_t, block_size>;
 
 /// A contact as its blocks see it.
 struct Meeting {
@@ -59,7 +58,7 @@ ContactLanes lanes_from(ContactState& c, int n)
           p.near.data() + g,     p.touching.data() + g};
 }
 
-/// A reach as single precision tells it, from an anchor that is rounded too.
+/// A reach as single precision tells it, from an anchor that is rounded too; -1 for none.
 float told(double reach, const Vec3& anchor)
 {
   constexpr double rounding = 4e-7;
@@ -90,6 +89,7 @@ std::optional<FacetNeighbours::Nearest> at_the_same_edge(const Meeting& m, const
   return FacetNeighbours::Nearest{point};
 }
 
+/// The nearest point of all, and what is remembered of it.
 FacetNeighbours::Nearest nearest(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
@@ -154,12 +154,13 @@ void search(const Meeting& m, const Vec3& p, int node)
 ContactSums meet(const Meeting& m, NodeLanes& nodes, const double* mass, int first, int count)
 {
   const ContactLanes lanes = lanes_from(m.state, first);
-  const auto search_marked = [&](const BlockMarks& marks) {
-    for (int i = 0; i < count; ++i)
-      if (marks[i] != 0) search(m, Vec3{nodes.x[i], nodes.y[i], nodes.z[i]} - m.law.shift, first + i);
+  const auto search_for = [&](int i) {
+    search(m, Vec3{nodes.x[i], nodes.y[i], nodes.z[i]} - m.law.shift, first + i);
   };
-  BlockMarks out, behind;
-  if (look(nodes, lanes, m.law.shift, count, out.data()) > 0) search_marked(out);
+  std::array<std::int32_t, block_size> out; // of their plane's reach
+  if (look(nodes, lanes, m.law.shift, count, out.data()) > 0)
+    for (int i = 0; i < count; ++i)
+      if (out[i] != 0) search_for(i);
   std::array<std::uint8_t, groups_a_block> groups;
   int awake = 0;
   for (int g = 0; g * NodeLanes::group < count; ++g) {
@@ -170,9 +171,9 @@ ContactSums meet(const Meeting& m, NodeLanes& nodes, const double* mass, int fir
   GapLanes gaps;
   // A plane tells nothing of a node that has come behind it.
   if (measure(nodes, lanes, m.law, groups.data(), awake, gaps) > 0) {
-    for (int i = 0; i < count; ++i)
-      behind[i] = (lanes.near[i / NodeLanes::group] | lanes.touching[i / NodeLanes::group]) != 0 && gaps.gap[i] < -m.law.half_thickness && out[i] == 0;
-    search_marked(behind);
+    for (int g = 0; g < awake; ++g)
+      for (int i = groups[g] * NodeLanes::group; i < (groups[g] + 1) * NodeLanes::group; ++i)
+        if (gaps.gap[i] < -m.law.half_thickness && out[i] == 0) search_for(i);
     measure(nodes, lanes, m.law, groups.data(), awake, gaps);
   }
   return push(nodes, lanes, mass, m.law, groups.data(), awake, gaps);

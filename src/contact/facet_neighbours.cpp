@@ -141,12 +141,14 @@ double FacetNeighbours::margin(const Vec3& p, int facet) const
 
 FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
 {
-  int facet = from < 0 ? surface_.nearest(p).facet : walk(p, from);
-  FacetPoint best = nearest_on_facet(surface_.tree().facet(facet), p);
-  // A facet as near as this one is within twice the distance of it.
-  if (4.0 * best.distance_squared >= radius_ * radius_) {
+  // A facet as near as the found one is within twice the distance of it.
+  const auto is_far = [this](double distance_squared) { return 4.0 * distance_squared >= radius_ * radius_; };
+  int facet = from < 0 ? from : walk(p, from);
+  FacetPoint best;
+  if (facet >= 0) best = nearest_on_facet(surface_.tree().facet(facet), p);
+  if (facet < 0 || is_far(best.distance_squared)) {
     const SurfacePoint found = surface_.nearest(p, facet);
-    if (4.0 * found.distance * found.distance >= radius_ * radius_) return Nearest{found};
+    if (is_far(found.distance * found.distance)) return Nearest{found};
     facet = found.facet;
     best = nearest_on_facet(surface_.tree().facet(facet), p);
   }

@@ -30,8 +30,8 @@ public:
   /// The tool's point nearest to p, of equally near facets the lowest number; the quicker, the nearer `from` is (a facet,
   /// or -1 for none known).
   [[nodiscard]] Nearest nearest(const Vec3& p, int from) const;
-  /// Of a p that was in front of the tool and has not come to it since: how far one may move from there without coming as
-  /// near as the lists serve, and a facet that is roughly the nearest; nothing when p is too near for that.
+  /// Of a p that was in front of the tool and has not come to it since: how near no facet is, and one that is roughly the
+  /// nearest. Nothing when p may be as near as the lists serve.
   struct Far {
     int facet;
     double distance; ///< that no facet is nearer than [m]

@@ -246,11 +246,11 @@ void bend_block(const Bending& bending, int number, const State& s, double dt, B
   w.give(bending, block, b.block_force);
 }
 
-std::vector<Vec3> images_of(const Bending& bending, std::span<const Vec3> position)
+void place_images(const Bending& bending, std::span<const Vec3> position, std::vector<Vec3>& image)
 {
-  std::vector<Vec3> image;
-  for (const MirrorImage& i : bending.curvature.images) image.push_back(i.position(position));
-  return image;
+  const std::vector<MirrorImage>& images = bending.curvature.images;
+  image.resize(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i) image[i] = images[i].position(position);
 }
 
 void assemble(const Bending& bending, std::span<const Vec3> block_force, std::span<Vec3> force)
@@ -268,7 +268,7 @@ void assemble(const Bending& bending, std::span<const Vec3> block_force, std::sp
 
 void bending_forces(const Bending& bending, BendingState& b, State& s, double dt)
 {
-  b.image = images_of(bending, s.position);
+  place_images(bending, s.position, b.image);
   parallel_each(static_cast<int>(bending.blocks.size()),
                 [&](int number) { bend_block(bending, number, s, dt, b); });
   assemble(bending, b.block_force, s.force);
@@ -277,7 +277,9 @@ void bending_forces(const Bending& bending, BendingState& b, State& s, double dt
 void linear_bending_forces(const Bending& bending, double factor, std::span<const Vec3> position,
                            std::span<const Vec3> motion, std::vector<Vec3>& block_force, std::span<Vec3> force)
 {
-  const std::vector<Vec3> image = images_of(bending, position), image_motion = images_of(bending, motion);
+  std::vector<Vec3> image, image_motion;
+  place_images(bending, position, image);
+  place_images(bending, motion, image_motion);
   block_force.resize(bending.slots.count());
   const double warp_stiffness = factor * bending.warp.stiffness(), weft_stiffness = factor * bending.weft.stiffness();
   parallel_each(static_cast<int>(bending.blocks.size()), [&](int number) {

@@ -10,20 +10,20 @@
 
 namespace towform {
 
-CornersOfNode::CornersOfNode(std::span<const Triangle> triangles, std::size_t nodes)
-    : first(nodes + 1, 0), slot(3 * triangles.size())
+ElementsOfNode::ElementsOfNode(std::span<const Triangle> triangles, std::size_t nodes)
+    : first(nodes + 1, 0), element(3 * triangles.size())
 {
   for (const Triangle& t : triangles)
     for (const int node : t) ++first[static_cast<std::size_t>(node) + 1];
   for (std::size_t i = 0; i < nodes; ++i) first[i + 1] += first[i];
   std::vector<int> next(first.begin(), first.end() - 1);
-  for (std::size_t i = 0; i < slot.size(); ++i) slot[next[triangles[i / 3][i % 3]]++] = static_cast<int>(i);
-  for (const int s : slot) element.push_back(s / 3);
+  for (std::size_t e = 0; e < triangles.size(); ++e)
+    for (const int node : triangles[e]) element[next[node]++] = static_cast<int>(e);
 }
 
 Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law, YarnStrain yarn_strain)
     : triangles(blank.mesh.triangles), node_area(blank.mesh.points.size(), 0.0),
-      corners(triangles, blank.mesh.points.size()), reference_sine(dot(blank.warp, blank.weft)),
+      elements(triangles, blank.mesh.points.size()), reference_sine(dot(blank.warp, blank.weft)),
       thickness(blank.thickness), yarn(yarn_law), law(std::move(fabric_law))
 {
   gradients.reserve(triangles.size());

@@ -34,19 +34,13 @@ struct YarnVectors {
   }
 };
 
-/// Corner slots of every node: slot 3e + c belongs to corner c of element e. Ascending per node, so that sums
-/// have one order.
-struct CornersOfNode {
+/// The elements round every node, ascending, so that sums have one order.
+struct ElementsOfNode {
   std::vector<int> first;   ///< n + 1
-  std::vector<int> slot;    ///< 3m
-  std::vector<int> element; ///< 3m, slot / 3
+  std::vector<int> element; ///< 3m
 
-  CornersOfNode(std::span<const Triangle> triangles, std::size_t nodes);
+  ElementsOfNode(std::span<const Triangle> triangles, std::size_t nodes);
   [[nodiscard]] std::span<const int> of(std::size_t node) const
-  {
-    return {slot.data() + first[node], slot.data() + first[node + 1]};
-  }
-  [[nodiscard]] std::span<const int> elements_of(std::size_t node) const
   {
     return {element.data() + first[node], element.data() + first[node + 1]};
   }
@@ -65,7 +59,7 @@ struct Membrane {
   std::vector<YarnGradients> gradients; ///< m
   std::vector<double> area;             ///< m, reference [m^2]
   std::vector<double> node_area;        ///< n, a third of the elements round a node [m^2]
-  CornersOfNode corners;
+  ElementsOfNode elements;
   YarnStrips strips;
   ElementBlocks blocks;
   double reference_sine = 0.0; ///< f01 . f02

@@ -7,20 +7,25 @@
 
 namespace towform {
 
+namespace {
+/// The coefficients of places first, first + 1, …
+inline MembraneCoefficients from(const MembraneCoefficients& c, int first)
+{
+  return {c.warp_1 + first, c.warp_2 + first, c.weft_1 + first, c.weft_2 + first, c.area + first};
+}
+} // namespace
+
 TOWFORM_VECTOR_CLONES
 void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count, BlockLanes& __restrict lanes)
 {
-  const double* __restrict warp_1 = c.warp_1 + first;
-  const double* __restrict warp_2 = c.warp_2 + first;
-  const double* __restrict weft_1 = c.weft_1 + first;
-  const double* __restrict weft_2 = c.weft_2 + first;
+  const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
-    const double a1x = warp_1[i] * b.d1x[i] + warp_2[i] * b.d2x[i];
-    const double a1y = warp_1[i] * b.d1y[i] + warp_2[i] * b.d2y[i];
-    const double a1z = warp_1[i] * b.d1z[i] + warp_2[i] * b.d2z[i];
-    const double a2x = weft_1[i] * b.d1x[i] + weft_2[i] * b.d2x[i];
-    const double a2y = weft_1[i] * b.d1y[i] + weft_2[i] * b.d2y[i];
-    const double a2z = weft_1[i] * b.d1z[i] + weft_2[i] * b.d2z[i];
+    const double a1x = g.warp_1[i] * b.d1x[i] + g.warp_2[i] * b.d2x[i];
+    const double a1y = g.warp_1[i] * b.d1y[i] + g.warp_2[i] * b.d2y[i];
+    const double a1z = g.warp_1[i] * b.d1z[i] + g.warp_2[i] * b.d2z[i];
+    const double a2x = g.weft_1[i] * b.d1x[i] + g.weft_2[i] * b.d2x[i];
+    const double a2y = g.weft_1[i] * b.d1y[i] + g.weft_2[i] * b.d2y[i];
+    const double a2z = g.weft_1[i] * b.d1z[i] + g.weft_2[i] * b.d2z[i];
     const double stretch1 = std::sqrt(a1x * a1x + a1y * a1y + a1z * a1z);
     const double stretch2 = std::sqrt(a2x * a2x + a2y * a2y + a2z * a2z);
     const double inverse1 = 1.0 / stretch1, inverse2 = 1.0 / stretch2;
@@ -185,14 +190,10 @@ TOWFORM_VECTOR_CLONES
 void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& __restrict lanes, int first,
                        int count, double dt, MembraneBatch& __restrict b)
 {
-  const double* __restrict warp_1 = c.warp_1 + first;
-  const double* __restrict warp_2 = c.warp_2 + first;
-  const double* __restrict weft_1 = c.weft_1 + first;
-  const double* __restrict weft_2 = c.weft_2 + first;
-  const double* __restrict areas = c.area + first;
+  const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
-    const double area = areas[i], sine = b.sine[i], force = b.force[i];
+    const double area = g.area[i], sine = b.sine[i], force = b.force[i];
     b.work[i] = area * 0.5 * (b.old_force[i] + force) * (sine - b.old_sine[i]);
     b.dissipated[i] = area * b.lost[i] * dt * std::sqrt(1.0 - sine * sine);
     const double n1 = force * lanes.over_stretch[k], n2 = force * lanes.over_stretch[BlockLanes::size + k];
@@ -205,12 +206,12 @@ void shear_and_tension(const MembraneCoefficients& c, double spring, const Block
     const double t2x = along2 * lanes.f2x[k] + across2 * lanes.f1x[k];
     const double t2y = along2 * lanes.f2y[k] + across2 * lanes.f1y[k];
     const double t2z = along2 * lanes.f2z[k] + across2 * lanes.f1z[k];
-    b.p1x[i] = -warp_1[i] * t1x - weft_1[i] * t2x;
-    b.p1y[i] = -warp_1[i] * t1y - weft_1[i] * t2y;
-    b.p1z[i] = -warp_1[i] * t1z - weft_1[i] * t2z;
-    b.p2x[i] = -warp_2[i] * t1x - weft_2[i] * t2x;
-    b.p2y[i] = -warp_2[i] * t1y - weft_2[i] * t2y;
-    b.p2z[i] = -warp_2[i] * t1z - weft_2[i] * t2z;
+    b.p1x[i] = -g.warp_1[i] * t1x - g.weft_1[i] * t2x;
+    b.p1y[i] = -g.warp_1[i] * t1y - g.weft_1[i] * t2y;
+    b.p1z[i] = -g.warp_1[i] * t1z - g.weft_1[i] * t2z;
+    b.p2x[i] = -g.warp_2[i] * t1x - g.weft_2[i] * t2x;
+    b.p2y[i] = -g.warp_2[i] * t1y - g.weft_2[i] * t2y;
+    b.p2z[i] = -g.warp_2[i] * t1z - g.weft_2[i] * t2z;
   }
 }
 
@@ -218,17 +219,13 @@ TOWFORM_VECTOR_CLONES
 void tension(const MembraneCoefficients& c, double spring, const BlockLanes& __restrict lanes, int first, int count,
              MembraneBatch& __restrict b)
 {
-  const double* __restrict warp_1 = c.warp_1 + first;
-  const double* __restrict warp_2 = c.warp_2 + first;
-  const double* __restrict weft_1 = c.weft_1 + first;
-  const double* __restrict weft_2 = c.weft_2 + first;
-  const double* __restrict areas = c.area + first;
+  const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
-    const double warp = areas[i] * tension_of(lanes, spring, k);
-    const double weft = areas[i] * tension_of(lanes, spring, BlockLanes::size + k);
-    const double warp1 = -warp * warp_1[i], warp2 = -warp * warp_2[i];
-    const double weft1 = -weft * weft_1[i], weft2 = -weft * weft_2[i];
+    const double warp = g.area[i] * tension_of(lanes, spring, k);
+    const double weft = g.area[i] * tension_of(lanes, spring, BlockLanes::size + k);
+    const double warp1 = -warp * g.warp_1[i], warp2 = -warp * g.warp_2[i];
+    const double weft1 = -weft * g.weft_1[i], weft2 = -weft * g.weft_2[i];
     b.p1x[i] = warp1 * lanes.f1x[k] + weft1 * lanes.f2x[k];
     b.p1y[i] = warp1 * lanes.f1y[k] + weft1 * lanes.f2y[k];
     b.p1z[i] = warp1 * lanes.f1z[k] + weft1 * lanes.f2z[k];
@@ -286,18 +283,15 @@ TOWFORM_VECTOR_CLONES
 void motion_strains(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count,
                     BlockLanes& __restrict lanes)
 {
-  const double* __restrict warp_1 = c.warp_1 + first;
-  const double* __restrict warp_2 = c.warp_2 + first;
-  const double* __restrict weft_1 = c.weft_1 + first;
-  const double* __restrict weft_2 = c.weft_2 + first;
+  const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
-    lanes.strain[k] = lanes.f1x[k] * (warp_1[i] * b.d1x[i] + warp_2[i] * b.d2x[i]) +
-                      lanes.f1y[k] * (warp_1[i] * b.d1y[i] + warp_2[i] * b.d2y[i]) +
-                      lanes.f1z[k] * (warp_1[i] * b.d1z[i] + warp_2[i] * b.d2z[i]);
-    lanes.strain[BlockLanes::size + k] = lanes.f2x[k] * (weft_1[i] * b.d1x[i] + weft_2[i] * b.d2x[i]) +
-                                         lanes.f2y[k] * (weft_1[i] * b.d1y[i] + weft_2[i] * b.d2y[i]) +
-                                         lanes.f2z[k] * (weft_1[i] * b.d1z[i] + weft_2[i] * b.d2z[i]);
+    lanes.strain[k] = lanes.f1x[k] * (g.warp_1[i] * b.d1x[i] + g.warp_2[i] * b.d2x[i]) +
+                      lanes.f1y[k] * (g.warp_1[i] * b.d1y[i] + g.warp_2[i] * b.d2y[i]) +
+                      lanes.f1z[k] * (g.warp_1[i] * b.d1z[i] + g.warp_2[i] * b.d2z[i]);
+    lanes.strain[BlockLanes::size + k] = lanes.f2x[k] * (g.weft_1[i] * b.d1x[i] + g.weft_2[i] * b.d2x[i]) +
+                                         lanes.f2y[k] * (g.weft_1[i] * b.d1y[i] + g.weft_2[i] * b.d2y[i]) +
+                                         lanes.f2z[k] * (g.weft_1[i] * b.d1z[i] + g.weft_2[i] * b.d2z[i]);
   }
 }
 
@@ -306,19 +300,16 @@ TOWFORM_VECTOR_CLONES
 void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLanes& __restrict lanes, int first, int count,
                   MembraneBatch& __restrict b)
 {
-  const double* __restrict warp_1 = c.warp_1 + first;
-  const double* __restrict warp_2 = c.warp_2 + first;
-  const double* __restrict weft_1 = c.weft_1 + first;
-  const double* __restrict weft_2 = c.weft_2 + first;
+  const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const double sine = b.sine[i];
-    const double across1 = lanes.f2x[k] * (warp_1[i] * b.d1x[i] + warp_2[i] * b.d2x[i]) +
-                           lanes.f2y[k] * (warp_1[i] * b.d1y[i] + warp_2[i] * b.d2y[i]) +
-                           lanes.f2z[k] * (warp_1[i] * b.d1z[i] + warp_2[i] * b.d2z[i]);
-    const double across2 = lanes.f1x[k] * (weft_1[i] * b.d1x[i] + weft_2[i] * b.d2x[i]) +
-                           lanes.f1y[k] * (weft_1[i] * b.d1y[i] + weft_2[i] * b.d2y[i]) +
-                           lanes.f1z[k] * (weft_1[i] * b.d1z[i] + weft_2[i] * b.d2z[i]);
+    const double across1 = lanes.f2x[k] * (g.warp_1[i] * b.d1x[i] + g.warp_2[i] * b.d2x[i]) +
+                           lanes.f2y[k] * (g.warp_1[i] * b.d1y[i] + g.warp_2[i] * b.d2y[i]) +
+                           lanes.f2z[k] * (g.warp_1[i] * b.d1z[i] + g.warp_2[i] * b.d2z[i]);
+    const double across2 = lanes.f1x[k] * (g.weft_1[i] * b.d1x[i] + g.weft_2[i] * b.d2x[i]) +
+                           lanes.f1y[k] * (g.weft_1[i] * b.d1y[i] + g.weft_2[i] * b.d2y[i]) +
+                           lanes.f1z[k] * (g.weft_1[i] * b.d1z[i] + g.weft_2[i] * b.d2z[i]);
     const double turned = lanes.over_stretch[k] * (across1 - sine * lanes.strain[k]) +
                           lanes.over_stretch[BlockLanes::size + k] *
                               (across2 - sine * lanes.strain[BlockLanes::size + k]);

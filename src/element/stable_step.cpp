@@ -153,7 +153,7 @@ StableStep StepBound::at(const State& s) const
   };
   int limiting = static_cast<int>(place(f.element));
   if (strip > element) limiting = membrane_.strips.entries_of(place(f.strip)).front() / 2;
-  if (bending > std::max(strip, element)) limiting = membrane_.corners.of(place(bending_)).front() / 3;
+  if (bending > std::max(strip, element)) limiting = membrane_.elements.of(place(bending_)).front();
   return {step_of(strip + element, bending), limiting};
 }
 

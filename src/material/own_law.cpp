@@ -76,7 +76,8 @@ FabricMaterial own_material(const MaterialParameters& m)
     throw std::domain_error(
         fmt::format("the program's own shear law ({}) gives no finite force at {:.4g} deg and {:.4g} rad/s",
                     law.description(),
-                    85.0 / ShearTable::angle_cells * static_cast<double>(place / ShearTable::rate_points),
+                    result.surface->max_angle() * 180.0 / M_PI / ShearTable::angle_cells *
+                        static_cast<double>(place / ShearTable::rate_points),
                     ShearTable::rate_of(place % ShearTable::rate_points)));
   }
   return result;

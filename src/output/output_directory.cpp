@@ -4,11 +4,13 @@
 #include "towform/error.hpp"
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 
 namespace towform {
@@ -62,13 +64,27 @@ bool is_in_use(const fs::path& directory)
   return taken;
 }
 
+namespace {
+/// Whether the lock could be taken. Who looks whether a run has the directory holds it for a moment (is_in_use).
+bool take_lock(int file)
+{
+  constexpr int tries = 5;
+  constexpr std::chrono::milliseconds pause{2};
+  for (int i = 1; ::flock(file, LOCK_EX | LOCK_NB) != 0; ++i) {
+    if (errno != EWOULDBLOCK || i == tries) return false;
+    std::this_thread::sleep_for(pause);
+  }
+  return true;
+}
+} // namespace
+
 OutputDirectory::OutputDirectory(const fs::path& directory) : lock_(lock_path(directory))
 {
   make_directory(directory);
   while (true) {
     file_ = ::open(lock_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file_ < 0) throw FileError(fmt::format("{}: cannot be written: {}", directory.string(), reason()));
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    if (!take_lock(file_)) {
       const std::string message =
           errno == EWOULDBLOCK
               ? fmt::format("{}: is in use by another run{}", directory.string(), owner(file_))

@@ -70,10 +70,11 @@ std::vector<double> lumped(const Membrane& membrane, const std::vector<double>& 
 /// Damping times from what is critical for the fastest waves, of the sheet before selective mass scaling.
 void set_damping(const MaterialParameters& material, std::span<const Vec3> flat, Model& model)
 {
-  const double near = 1e-6; // any: there is no damping yet
-  model.membrane.damping_time =
-      material.yarn_damping *
-      StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus).at(flat, near);
+  constexpr double near = 1e-6; // any: there is no damping yet
+  if (material.yarn_damping > 0.0)
+    model.membrane.damping_time =
+        material.yarn_damping *
+        StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus).at(flat, near);
   for (Bending& bending : model.bending) {
     const auto squares = bending.frequency_bound(model.mass);
     bending.damping_time =
@@ -81,7 +82,7 @@ void set_damping(const MaterialParameters& material, std::span<const Vec3> flat,
   }
 }
 
-/// Makes elements heavier until the stable step of the flat sheet is `wanted` [s]. Heavier elements change what their
+/// Looks at the flat sheet's stable step and makes elements heavier until it is `wanted` [s] (0: as it is). Heavier elements change what their
 /// neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
 void scale_masses(double wanted, const State& flat, Model& model)
 {

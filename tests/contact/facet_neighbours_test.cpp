@@ -38,6 +38,16 @@ public:
     return normalized(v);
   }
   double fraction() { return 0.5 + 0.5 * by_(generator_); }
+  double side() { return fraction() < 0.5 ? -1.0 : 1.0; }
+  int facet(const ToolSurface& surface)
+  {
+    return static_cast<int>(fraction() * 0.999 * static_cast<double>(surface.mesh().triangles.size()));
+  }
+  Vec3 on(const Facet& f)
+  {
+    const double a = fraction(), b = fraction() * (1.0 - a);
+    return f.corner[0] + a * (f.corner[1] - f.corner[0]) + b * (f.corner[2] - f.corner[0]);
+  }
 
 private:
   std::mt19937 generator_;
@@ -52,11 +62,7 @@ TEST(FacetNeighbours, FindWhatAFullSearchFindsFromAnyFacetNearby)
     Wander wander(5);
     int far = 0;
     for (int i = 0; i < 4000; ++i) {
-      const Triangle& t = surface.mesh().triangles[static_cast<std::size_t>(
-          wander.fraction() * 0.999 * static_cast<double>(surface.mesh().triangles.size()))];
-      const double a = wander.fraction(), b = wander.fraction() * (1.0 - a);
-      const Vec3 on = surface.mesh().points[t[0]] + a * (surface.mesh().points[t[1]] - surface.mesh().points[t[0]]) +
-                      b * (surface.mesh().points[t[2]] - surface.mesh().points[t[0]]);
+      const Vec3 on = wander.on(surface.tree().facet(wander.facet(surface)));
       const Vec3 p = on + 2.4e-3 * wander.fraction() * wander.direction();
       const SurfacePoint full = surface.nearest(p);
       const int start = surface.nearest(p + 3e-3 * wander.direction()).facet;
@@ -78,13 +84,9 @@ TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
     Wander wander(11);
     int planes = 0;
     for (int i = 0; i < 4000; ++i) {
-      const auto facet = static_cast<int>(wander.fraction() * 0.999 *
-                                          static_cast<double>(surface.mesh().triangles.size()));
-      const auto& corner = surface.tree().facet(facet).corner;
-      const double a = wander.fraction(), b = wander.fraction() * (1.0 - a);
-      const double height = (wander.fraction() < 0.5 ? -1.0 : 1.0) * (0.2e-3 + 0.5e-3 * wander.fraction());
-      const Vec3 p = corner[0] + a * (corner[1] - corner[0]) + b * (corner[2] - corner[0]) +
-                     height * surface.tree().facet(facet).normal;
+      const int facet = wander.facet(surface);
+      const Facet& start = surface.tree().facet(facet);
+      const Vec3 p = wander.on(start) + wander.side() * (0.2e-3 + 0.5e-3 * wander.fraction()) * start.normal;
       const auto nearest = neighbours.nearest(p, facet);
       if (nearest.reach == 0.0) continue;
       ++planes;
@@ -109,10 +111,9 @@ TEST(FacetNeighbours, BothFacetsOfAnEdgeServeAsFarAsTheirReach)
     Wander wander(17);
     int pairs = 0;
     for (int i = 0; i < 4000; ++i) {
-      const auto facet = static_cast<int>(wander.fraction() * 0.999 *
-                                          static_cast<double>(surface.mesh().triangles.size()));
+      const int facet = wander.facet(surface);
       const Facet& f = surface.tree().facet(facet);
-      const double along = wander.fraction(), height = (wander.fraction() < 0.5 ? -1.0 : 1.0) * 1e-3 * wander.fraction();
+      const double along = wander.fraction(), height = wander.side() * 1e-3 * wander.fraction();
       const Vec3 p = f.corner[0] + along * f.edge(0) + height * f.normal;
       const FacetNeighbours::Nearest nearest = neighbours.nearest(p, facet);
       if (nearest.rival < 0) continue;
