@@ -11,7 +11,7 @@ namespace towform {
 
 namespace {
 
-constexpr double degree = M_PI / 180.0, celsius = 273.15;
+constexpr double degree = M_PI / 180.0;
 
 /// A number with a unit, or a bare one in `bare_unit`, in SI; empty text is nothing.
 std::optional<double> quantity(const std::string& option, const std::string& text, Dimension dimension,

@@ -77,6 +77,7 @@ void study(const StudyArguments& a)
   std::vector<std::string> words = {"/usr/bin/python3", "-B", "-m", "study", program.string(), a.study};
   for (std::string& word : a.given()) words.push_back(std::move(word));
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   ::execv(argv[0], argv.data());

@@ -105,7 +105,7 @@ public:
   /// Point 0 is rate 0, point 1 the lowest rate of the first octave.
   static double rate_of(std::int64_t point)
   {
-    const std::int64_t position = (point - 1) << shift;
+    const std::int64_t position = (point - 1) * (std::int64_t{1} << shift);
     const double rate = std::bit_cast<double>(lowest_bits + position);
     return point == 0 ? 0.0 : rate;
   }
@@ -124,7 +124,7 @@ private:
   /// 1/(width of a cell): octaves are powers of two.
   static double over_width(std::int64_t cell)
   {
-    const std::int64_t octave = (cell - 1) >> 3;
+    const std::int64_t octave = ((cell + 7) >> 3) - 1;
     const double within = std::bit_cast<double>(((1023LL + 3 - lowest_exponent) - octave) << 52);
     constexpr double lowest = static_cast<double>(1 << -lowest_exponent);
     return cell == 0 ? lowest : within;

@@ -10,9 +10,9 @@ namespace {
 /// Points hashed by the cell of a grid they lie in; chains may mix cells, which only costs a comparison.
 class PointGrid {
 public:
-  PointGrid(const std::vector<Vec3>& points, double tolerance) : tolerance_(tolerance)
+  PointGrid(const std::vector<Vec3>& points, double tolerance) : tolerance_(tolerance), low_(points.front())
   {
-    Vec3 high = low_ = points.front();
+    Vec3 high = low_;
     for (const Vec3& p : points) {
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};

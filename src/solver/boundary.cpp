@@ -16,11 +16,10 @@ using std::numbers::sqrt2;
 /// The sides of the box round the flat blank.
 struct Sides {
   Vec2 low, high;
-  double tolerance;
+  double tolerance = 0.0;
 
-  Sides(const Blank& blank, bool imported)
+  Sides(const Blank& blank, bool imported) : low{blank.mesh.points[0].x, blank.mesh.points[0].y}, high(low)
   {
-    low = high = {blank.mesh.points[0].x, blank.mesh.points[0].y};
     for (const Vec3& p : blank.mesh.points) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
