@@ -1,4 +1,5 @@
 #include "document.hpp"
+#include "float_traps.hpp"
 #include "units.hpp"
 #include <algorithm>
 #include <cctype>
@@ -132,6 +133,14 @@ std::string Value::shown() const
   return "";
 }
 
+namespace {
+toml::table parsed(const std::string& text)
+{
+  const UntrappedFloats untrapped; // the text may hold 1e999
+  return toml::parse(std::string_view(text));
+}
+} // namespace
+
 Value parse_document(const std::string& text, const std::string& file)
 {
   if (const int line = line_of_endless_key(text); line > 0) {
@@ -139,7 +148,7 @@ Value parse_document(const std::string& text, const std::string& file)
     throw InputError({{where, "not TOML: a key with more than 1000 parts"}});
   }
   try {
-    return converted(toml::parse(std::string_view(text)), file);
+    return converted(parsed(text), file);
   } catch (const toml::parse_error& error) {
     std::string message(error.description());
     for (const std::string& prefix : {std::string("Error while parsing "), std::string("key-value pair: ")}) {
@@ -159,7 +168,7 @@ Value parse_value(const std::string& text, const SourceLocation& where)
   value.kind = Value::Kind::text;
   value.text = text;
   try {
-    const toml::table document = toml::parse("value = " + text);
+    const toml::table document = parsed("value = " + text);
     // More keys mean that the text went on after a line's end: it was not one value.
     if (document.size() == 1 && document.contains("value"))
       value = converted(*document.get("value"), where.file);

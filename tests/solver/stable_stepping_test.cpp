@@ -1,3 +1,4 @@
+#include "case/float_traps.hpp"
 #include "solver/bare_sheet.hpp"
 #include "towform/case.hpp"
 #include <algorithm>
@@ -21,6 +22,7 @@ TEST(StableStepping, HoldsJustBelowTheBoundAndBreaksWellAboveIt)
       const auto growth = [&](double factor) { return test::growth(model, factor * bound, 0.1, 100); };
       // Near the limit v_(n-1/2).v_(n+1/2) is a small difference, so the account breathes; it must not grow.
       EXPECT_LT(growth(0.99), 1.05) << static_cast<int>(pattern) << ", " << angle << " degrees";
+      if (TOWFORM_FLOAT_TRAPS) continue; // breaking ends the program
       EXPECT_EQ(growth(2.0), HUGE_VAL) << static_cast<int>(pattern) << ", " << angle << " degrees";
     }
 }

@@ -1,3 +1,4 @@
+#include "case/float_traps.hpp"
 #include "element/step_limit.hpp"
 #include "solver/bare_sheet.hpp"
 #include <cmath>
@@ -109,6 +110,7 @@ TEST(StepLimit, HoldsJustBelowAndBreaksJustAbove)
       const auto growth = [&](double factor) { return test::growth(model, factor * model.first_look.step, 0.01, 200); };
       // With damping near the limit the account breathes.
       EXPECT_LT(growth(0.98), damping > 0.0 ? 2.0 : 1.1) << static_cast<int>(pattern) << ", damping " << damping;
+      if (TOWFORM_FLOAT_TRAPS) continue; // breaking ends the program
       EXPECT_EQ(growth(1.03), HUGE_VAL) << static_cast<int>(pattern) << ", damping " << damping;
     }
 }

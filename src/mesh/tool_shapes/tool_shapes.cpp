@@ -1,4 +1,5 @@
 #include "towform/tool_shapes.hpp"
+#include "case/float_traps.hpp"
 #include "mesh/tool_shapes/parts.hpp"
 #include "mesh/tool_shapes/values.hpp"
 #include <algorithm>
@@ -153,6 +154,7 @@ SurfaceMesh ToolShape::build(const std::string& part, const std::vector<double>&
   if (values.size() != parameters.size())
     throw std::invalid_argument(
         fmt::format("{} has {} parameters, got {} values", name, parameters.size(), values.size()));
+  const UntrappedFloats untrapped;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const ShapeParameter& p = parameters[i];
     if (!(values[i] >= p.min && values[i] <= p.max)) // also when it is not a number
