@@ -11,8 +11,8 @@ namespace towform {
 Contact::Contact(const Tool& its_tool, int number, double half, double beta, double zeta, double dt)
     : tool(number), half_thickness(half), stiffness_per_mass(beta / (dt * dt)),
       damping_per_mass(2.0 * zeta * std::sqrt(beta) / dt),
-      // Facets within six half thicknesses serve nodes up to three from the tool.
-      neighbours(std::make_unique<const FacetNeighbours>(its_tool.surface, 6.0 * half))
+      // Facets within three half thicknesses serve nodes that touch; longer lists cost more than searching for the others.
+      neighbours(std::make_unique<const FacetNeighbours>(its_tool.surface, 3.0 * half))
 {
 }
 
@@ -29,7 +29,7 @@ void start(const Contact&, std::size_t nodes, ContactState& c)
   p.reach_squared.resize(padded, HUGE_VALF); // padding never wakes
   p.facet.assign(nodes, -1);
   p.rival.assign(nodes, -1);
-  p.rival_reach.assign(nodes, -1.0F);
+  p.clear.assign(nodes, -1.0F);
   p.near.assign(groups, 0);
   p.touching.assign(groups, 1); // a state that is read may hold forces
 }
@@ -58,11 +58,13 @@ ContactLanes lanes_from(ContactState& c, int n)
           p.near.data() + g,     p.touching.data() + g};
 }
 
+/// How far a point's place as single precision tells it may be from the true one, and more.
+double rounding(const Vec3& p) { return 4e-7 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)); }
+
 /// A reach as single precision tells it, from an anchor that is rounded too; -1 for none.
 float told(double reach, const Vec3& anchor)
 {
-  constexpr double rounding = 4e-7;
-  const double sure = reach - rounding * (std::abs(anchor.x) + std::abs(anchor.y) + std::abs(anchor.z));
+  const double sure = reach - rounding(anchor);
   return sure > 0.0 ? static_cast<float>(sure * (1.0 - 1e-6)) : -1.0F;
 }
 
@@ -78,11 +80,14 @@ double from_anchor(const ContactPlanes& planes, int node, const Vec3& p)
   return norm(p - Vec3{planes.anchor_x[node], planes.anchor_y[node], planes.anchor_z[node]});
 }
 
-/// The nearest point where a node is still nearest to the edge that it was found at.
-std::optional<FacetNeighbours::Nearest> at_the_same_edge(const Meeting& m, const Vec3& p, int node)
+/// The nearest point where a node is still inside the facet, or nearest to the edge, that it was found at.
+std::optional<FacetNeighbours::Nearest> where_it_was(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
-  if (planes.rival[node] < 0 || from_anchor(planes, node, p) > planes.rival_reach[node]) return {};
+  if (!(planes.clear[node] > 0.0F)) return {};
+  const double left = planes.clear[node] - from_anchor(planes, node, p) - rounding(p);
+  if (left <= 0.0) return {};
+  if (planes.rival[node] < 0) return m.contact.neighbours->still_inside(p, planes.facet[node], left);
   const SurfacePoint point = m.tool.surface.nearest_of(p, planes.facet[node], planes.rival[node]);
   if (point.inside && m.contact.neighbours->is_well_inside(p, point.facet)) return {}; // it may have a plane again
   if (point.facet != planes.facet[node]) std::swap(planes.facet[node], planes.rival[node]);
@@ -97,7 +102,7 @@ FacetNeighbours::Nearest nearest(const Meeting& m, const Vec3& p, int node)
   set_anchor(planes, node, p);
   planes.facet[node] = found.point.facet;
   planes.rival[node] = found.rival;
-  planes.rival_reach[node] = told(found.rival_reach, p);
+  planes.clear[node] = told(found.clear, p);
   return found;
 }
 
@@ -106,11 +111,13 @@ bool is_still_away(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
   if (!(planes.reach_squared[node] > 0.0F) || planes.offset[node] > no_plane) return false;
-  const auto far = m.contact.neighbours->far(p, planes.facet[node]);
+  const double beyond = from_anchor(planes, node, p) - std::sqrt(planes.reach_squared[node]) + rounding(p);
+  const auto far = m.contact.neighbours->far(p, planes.facet[node], beyond);
   if (!far) return false;
   const float reach = told(far->distance - m.contact.half_thickness, p);
   planes.facet[node] = far->facet;
   planes.rival[node] = -1;
+  planes.clear[node] = -1.0F;
   set_anchor(planes, node, p);
   planes.reach_squared[node] = reach * reach;
   return true;
@@ -121,7 +128,7 @@ void search(const Meeting& m, const Vec3& p, int node)
 {
   if (is_still_away(m, p, node)) return;
   ContactPlanes& planes = m.state.planes;
-  const auto known = at_the_same_edge(m, p, node);
+  const auto known = where_it_was(m, p, node);
   const FacetNeighbours::Nearest found = known ? *known : nearest(m, p, node);
   const SurfacePoint& point = found.point;
   // Behind the rim of an open surface there is no tool.
@@ -129,7 +136,7 @@ void search(const Meeting& m, const Vec3& p, int node)
   const double gap = behind_rim ? 0.0 : (point.distance - m.contact.half_thickness) * (1.0 - 1e-9);
   const double reach = std::max(found.reach, gap);
   if (known && reach > 0.0) {
-    planes.rival_reach[node] -= static_cast<float>(from_anchor(planes, node, p) * (1.0 + 1e-6));
+    planes.clear[node] -= static_cast<float>(from_anchor(planes, node, p) + rounding(p));
     set_anchor(planes, node, p);
   }
   const float sure = told(reach, p);
@@ -150,9 +157,61 @@ void search(const Meeting& m, const Vec3& p, int node)
                            : 0;
 }
 
+/// A block of nodes, brought near as far as it is needed.
+class NodeBlock {
+public:
+  NodeBlock(State& s, std::span<const double> mass, int first_node)
+      : first(first_node), count(std::min(block_size, static_cast<int>(s.position.size()) - first)), s_(s), mass_(mass)
+  {
+    for (int i = 0; i < count; ++i) {
+      const Vec3& x = s.position[first + i];
+      lanes.x[i] = x.x;
+      lanes.y[i] = x.y;
+      lanes.z[i] = x.z;
+    }
+    fill_up({lanes.x, lanes.y, lanes.z});
+  }
+  /// Velocities and masses, and forces that begin at nothing.
+  void bring_motion()
+  {
+    if (moving_) return;
+    moving_ = true;
+    for (int i = 0; i < count; ++i) {
+      const Vec3& v = s_.velocity[first + i];
+      lanes.vx[i] = v.x;
+      lanes.vy[i] = v.y;
+      lanes.vz[i] = v.z;
+      lanes.mass[i] = mass_[first + i];
+      lanes.fx[i] = lanes.fy[i] = lanes.fz[i] = 0.0;
+    }
+    fill_up({lanes.vx, lanes.vy, lanes.vz, lanes.mass, lanes.fx, lanes.fy, lanes.fz});
+  }
+  void give_forces()
+  {
+    if (!moving_) return;
+    for (int i = 0; i < count; ++i) s_.force[first + i] += {lanes.fx[i], lanes.fy[i], lanes.fz[i]};
+  }
+
+  const int first, count;
+  NodeLanes lanes; ///< filled up to whole groups
+
+private:
+  void fill_up(std::initializer_list<double*> arrays) const
+  {
+    for (int i = count; i % NodeLanes::group != 0; ++i)
+      for (double* lane : arrays) lane[i] = 0.0;
+  }
+
+  State& s_;
+  std::span<const double> mass_;
+  bool moving_ = false;
+};
+
 /// A tool against a block of nodes: search, gap, force, friction.
-ContactSums meet(const Meeting& m, NodeLanes& nodes, const double* mass, int first, int count)
+ContactSums meet(const Meeting& m, NodeBlock& block)
 {
+  NodeLanes& nodes = block.lanes;
+  const int first = block.first, count = block.count;
   const ContactLanes lanes = lanes_from(m.state, first);
   const auto search_for = [&](int i) {
     search(m, Vec3{nodes.x[i], nodes.y[i], nodes.z[i]} - m.law.shift, first + i);
@@ -169,32 +228,16 @@ ContactSums meet(const Meeting& m, NodeLanes& nodes, const double* mass, int fir
   }
   if (awake == 0) return {};
   GapLanes gaps;
+  Touching touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
   // A plane tells nothing of a node that has come behind it.
-  if (measure(nodes, lanes, m.law, groups.data(), awake, gaps) > 0) {
+  if (touching.deep > 0) {
     for (int g = 0; g < awake; ++g)
       for (int i = groups[g] * NodeLanes::group; i < (groups[g] + 1) * NodeLanes::group; ++i)
         if (gaps.gap[i] < -m.law.half_thickness && out[i] == 0) search_for(i);
-    measure(nodes, lanes, m.law, groups.data(), awake, gaps);
+    touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
   }
-  return push(nodes, lanes, mass, m.law, groups.data(), awake, gaps);
-}
-
-/// Nodes from `first` on, `count` of them, filled up to whole groups.
-void gather(const State& s, int first, int count, NodeLanes& nodes)
-{
-  for (int i = 0; i < count; ++i) {
-    const Vec3 &x = s.position[first + i], &v = s.velocity[first + i];
-    nodes.x[i] = x.x;
-    nodes.y[i] = x.y;
-    nodes.z[i] = x.z;
-    nodes.vx[i] = v.x;
-    nodes.vy[i] = v.y;
-    nodes.vz[i] = v.z;
-    nodes.fx[i] = nodes.fy[i] = nodes.fz[i] = 0.0;
-  }
-  for (int i = count; i % NodeLanes::group != 0; ++i)
-    for (double* lane : {nodes.x, nodes.y, nodes.z, nodes.vx, nodes.vy, nodes.vz, nodes.fx, nodes.fy, nodes.fz})
-      lane[i] = 0.0;
+  if (touching.all > 0) block.bring_motion();
+  return push(nodes, lanes, m.law, groups.data(), awake, gaps);
 }
 
 /// What the blocks tell of a tool, in their order.
@@ -251,15 +294,10 @@ void contact_forces(std::span<const Contact> contacts, std::span<const Tool> too
   }
   std::vector<ContactSums> sums(contacts.size() * static_cast<std::size_t>(blocks));
   parallel_each(blocks, [&](int block) {
-    NodeLanes lanes;
-    const int first = block * block_size, count = std::min(block_size, nodes - first);
-    gather(s, first, count, lanes);
-    const double* its_mass = mass.data() + first;
-    std::array<double, block_size> last_mass{};
-    if (count < block_size) its_mass = std::copy_n(its_mass, count, last_mass.begin()) - count;
+    NodeBlock its_nodes(s, mass, block * block_size);
     for (std::size_t i = 0; i < meetings.size(); ++i)
-      sums[i * static_cast<std::size_t>(blocks) + block] = meet(meetings[i], lanes, its_mass, first, count);
-    for (int i = 0; i < count; ++i) s.force[first + i] += {lanes.fx[i], lanes.fy[i], lanes.fz[i]};
+      sums[i * static_cast<std::size_t>(blocks) + block] = meet(meetings[i], its_nodes);
+    its_nodes.give_forces();
   });
   for (std::size_t i = 0; i < contacts.size(); ++i)
     take_sums(std::span(sums).subspan(i * static_cast<std::size_t>(blocks), static_cast<std::size_t>(blocks)),

@@ -31,7 +31,7 @@ constexpr int group = NodeLanes::group;
 }
 
 TOWFORM_VECTOR_CLONES
-int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
             GapLanes& __restrict gaps)
 {
   const double* __restrict normal_x = c.normal_x;
@@ -39,7 +39,7 @@ int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law
   const double* __restrict normal_z = c.normal_z;
   const double* __restrict offset = c.offset;
   const double shift_x = law.shift.x, shift_y = law.shift.y, shift_z = law.shift.z, half = law.half_thickness;
-  std::int64_t deep = 0;
+  std::int64_t all = 0, deep = 0;
   for (int number = 0; number < count; ++number) {
     const int g = groups[number], first = g * group;
     std::int64_t touch = 0;
@@ -51,8 +51,9 @@ int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law
       deep += gap < -half ? 1 : 0;
     }
     gaps.touch[g] = touch;
+    all += touch;
   }
-  return static_cast<int>(deep);
+  return {static_cast<int>(all), static_cast<int>(deep)};
 }
 
 namespace {
@@ -66,7 +67,7 @@ struct SideBySide {
 double total(const double* v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
 
 TOWFORM_VECTOR_CLONES
-void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const double* __restrict mass, const ContactLaw& law,
+void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
                  const std::uint8_t* __restrict groups, int count, const GapLanes& __restrict gaps,
                  SideBySide& __restrict sums)
 {
@@ -94,7 +95,7 @@ void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const doubl
       const int i = first + k;
       const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i], gap = gaps.gap[i];
       const double vx = nodes.vx[i] - l.velocity.x, vy = nodes.vy[i] - l.velocity.y, vz = nodes.vz[i] - l.velocity.z;
-      const double stiffness = l.stiffness_per_mass * mass[i], damping = l.damping_per_mass * mass[i];
+      const double stiffness = l.stiffness_per_mass * nodes.mass[i], damping = l.damping_per_mass * nodes.mass[i];
       const double opening = vx * nx + vy * ny + vz * nz;
       const double elastic = -stiffness * gap, wanted = elastic - damping * opening;
       const double pressed = wanted > 0.0 ? wanted : 0.0;
@@ -106,7 +107,7 @@ void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const doubl
       const double spring = l.stick_ratio * stiffness, limit = l.friction * pressed;
       const double stretch_squared = rx * rx + ry * ry + rz * rz, pull_squared = spring * spring * stretch_squared;
       const bool slips = pull_squared > limit * limit;
-      const double dashpot = slips ? 0.0 : l.damping_per_mass / l.dt * mass[i];
+      const double dashpot = slips ? 0.0 : l.damping_per_mass / l.dt * nodes.mass[i];
       const double hx = spring * rx + dashpot * tx, hy = spring * ry + dashpot * ty, hz = spring * rz + dashpot * tz;
       const double size_squared = hx * hx + hy * hy + hz * hz; // slipping, that of the spring alone
       const bool cut = size_squared > limit * limit;
@@ -145,11 +146,11 @@ void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const doubl
 
 } // namespace
 
-ContactSums push(NodeLanes& nodes, const ContactLanes& c, const double* mass, const ContactLaw& law,
-                 const std::uint8_t* groups, int count, const GapLanes& gaps)
+ContactSums push(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+                 const GapLanes& gaps)
 {
   SideBySide s;
-  push_groups(nodes, c, mass, law, groups, count, gaps, s);
+  push_groups(nodes, c, law, groups, count, gaps, s);
   return {{total(s.fx), total(s.fy), total(s.fz)},
           total(s.elastic),
           total(s.damped),

@@ -12,7 +12,9 @@ struct NodeLanes {
   using Lanes = double[size]; // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
 
   alignas(64) Lanes x, y, z;    ///< [m]
+  // Where a tool touches the block:
   alignas(64) Lanes vx, vy, vz; ///< [m/s]
+  alignas(64) Lanes mass;       ///< [kg]
   alignas(64) Lanes fx, fy, fz; ///< sum of the tools' forces [N]
 };
 
@@ -50,15 +52,19 @@ struct GapLanes {
   alignas(64) NodeLanes::Lanes gap; ///< [m]
   std::int64_t touch[NodeLanes::size / NodeLanes::group]; // NOLINT(modernize-avoid-c-arrays)
 };
-/// Measures the gaps of `groups`, `count` of them; returns how many nodes are so deep that they may be behind their plane.
-int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+/// How many nodes touch the tool, and how many are so deep that they may be behind their plane.
+struct Touching {
+  int all, deep;
+};
+/// Measures the gaps of `groups`, `count` of them.
+Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
             GapLanes& gaps);
 
 /// Normal force k g + damping, never pulling; Coulomb friction by stick-slip return mapping: a step's
 /// tangential movement stretches the spring k_t = `stick_ratio` k and lets it slip back to the cone of
 /// `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force. `groups` of the block
 /// that may touch the tool or did so before, `count` of them.
-ContactSums push(NodeLanes& nodes, const ContactLanes& c, const double* mass, const ContactLaw& law,
-                 const std::uint8_t* groups, int count, const GapLanes& gaps);
+ContactSums push(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+                 const GapLanes& gaps);
 
 } // namespace towform

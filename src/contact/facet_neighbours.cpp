@@ -57,7 +57,7 @@ void FacetNeighbours::fill(int number, InFront& list) const
   static thread_local std::vector<int> found;
   const Facet& f = surface_.tree().facet(number);
   surface_.tree().find_in_box_round(f, radius_, found);
-  InFront ahead;
+  std::vector<Neighbour> ahead;
   for (const int near : found) {
     const Facet& other = surface_.tree().facet(near);
     constexpr double touching = 1e-12; // [m]
@@ -67,7 +67,10 @@ void FacetNeighbours::fill(int number, InFront& list) const
     const double turn = norm(other.normal - f.normal);
     ahead.push_back({other.normal, other.offset, turn > 0.0 ? 1.0 / turn : 0.0, near});
   }
-  list.assign(ahead.begin(), ahead.end()); // no room for more
+  const auto others = std::partition(ahead.begin(), ahead.end(),
+                                     [&](const Neighbour& n) { return lies_round(number, n.facet); });
+  list.round = static_cast<std::size_t>(others - ahead.begin());
+  list.facets.assign(ahead.begin(), ahead.end()); // no room for more
 }
 
 void FacetNeighbours::fill(int number, All& list) const
@@ -100,13 +103,26 @@ int FacetNeighbours::walk(const Vec3& p, int from) const
   return facet;
 }
 
-/// How far p, in front of a facet's plane, may move there while its nearest point stays inside the facet: beyond an edge
-/// it may be on that. Facets behind the plane can come no nearer, one in front of it not before p is on the plane that
-/// halves the angle between both. Negative where another facet is nearer, or as near.
-double FacetNeighbours::reach_inside(const Vec3& p, int facet, double height, double margin) const
+/// Whether another facet lies beyond an edge of a facet, or of one that goes on in its plane.
+bool FacetNeighbours::lies_round(int facet, int other) const
 {
-  double reach = std::min(margin, 0.5 * radius_ - height);
-  for (const Neighbour& n : of(facet, in_front_)) {
+  for (int k = 0; k < 3; ++k) {
+    const int next = surface_.across(facet, k);
+    if (next == other) return true;
+    if (!surface_.goes_on(facet, k)) continue;
+    for (int j = 0; j < 3; ++j)
+      if (surface_.across(next, j) == other) return true;
+  }
+  return false;
+}
+
+/// How far p, at a height in front of a facet's plane, may move there, `most` at most, before one of others may be nearer
+/// than the inside of the facet. Facets behind the plane can come no nearer, one in front of it not before p is on the plane
+/// that halves the angle between both. Negative where another facet is nearer, or as near.
+double FacetNeighbours::reach_before(std::span<const Neighbour> others, const Vec3& p, double height, double most) const
+{
+  double reach = most;
+  for (const Neighbour& n : others) {
     if (const double to_bisector = (n.height(p) - height) * n.over_turn; to_bisector > doubt) {
       reach = std::min(reach, to_bisector);
       continue;
@@ -139,6 +155,15 @@ double FacetNeighbours::margin(const Vec3& p, int facet) const
   return margin;
 }
 
+std::optional<FacetNeighbours::Nearest> FacetNeighbours::still_inside(const Vec3& p, int facet, double clear) const
+{
+  const double height = surface_.tree().facet(facet).height(p), room = margin(p, facet);
+  if (!(height > 0.0 && room > doubt)) return {};
+  const double reach = reach_before(of(facet, in_front_).those_round(), p, height, std::min(room, clear));
+  if (reach < 0.0) return {};
+  return Nearest{surface_.above(p, facet), std::max(0.0, reach - 0.1 * doubt), -1, clear};
+}
+
 FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
 {
   // A facet as near as the found one is within twice the distance of it.
@@ -153,9 +178,13 @@ FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
     best = nearest_on_facet(surface_.tree().facet(facet), p);
   }
   if (const double height = surface_.tree().facet(facet).height(p); best.feature == Feature::inside && height > 0.0) {
-    if (const double room = margin(p, facet); room > doubt)
-      if (const double reach = reach_inside(p, facet, height, room); reach >= 0.0)
-        return Nearest{surface_.at(p, facet, best), std::max(0.0, reach - 0.1 * doubt)};
+    if (const double room = margin(p, facet); room > doubt) {
+      const InFront& ahead = of(facet, in_front_);
+      const double clear = reach_before(ahead.others(), p, height, 0.5 * radius_ - height);
+      const double reach = reach_before(ahead.those_round(), p, height, std::min(room, clear));
+      if (clear >= 0.0 && reach >= 0.0)
+        return Nearest{surface_.at(p, facet, best), std::max(0.0, reach - 0.1 * doubt), -1, clear - 0.1 * doubt};
+    }
   }
   for (const int near : of(facet, all_)) {
     const Facet& other = surface_.tree().facet(near);
@@ -173,8 +202,9 @@ FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
   return found;
 }
 
-std::optional<FacetNeighbours::Far> FacetNeighbours::far(const Vec3& p, int from) const
+std::optional<FacetNeighbours::Far> FacetNeighbours::far(const Vec3& p, int from, double beyond) const
 {
+  if (beyond >= 0.5 * radius_) return {};
   const int start = walk(p, from);
   const double at_most = std::sqrt(nearest_on_facet(surface_.tree().facet(start), p).distance_squared);
   if (at_most < radius_) return {};
@@ -203,8 +233,10 @@ void FacetNeighbours::set_rival(const Vec3& p, const FacetPoint& best, Nearest& 
     if (near == found.rival || std::abs(other.height(p)) >= third) continue;
     third = std::min(third, std::sqrt(nearest_on_facet(other, p).distance_squared));
   }
-  found.rival_reach = 0.5 * (third - distance) - doubt;
-  if (found.rival_reach <= 0.0) found.rival = -1;
+  found.clear = 0.5 * (third - distance) - doubt;
+  if (found.clear > 0.0) return;
+  found.clear = 0.0;
+  found.rival = -1;
 }
 
 } // namespace towform

@@ -75,12 +75,7 @@ SurfacePoint ToolSurface::at(const Vec3& p, int facet, const FacetPoint& near) c
   result.point = near.point;
   const Facet& f = tree_.facet(facet);
   const int edge = edge_number(near.feature);
-  if (near.feature == Feature::inside || (edge >= 0 && goes_on(facet, edge))) {
-    result.normal = f.normal;
-    result.distance = f.height(p);
-    result.inside = true;
-    return result;
-  }
+  if (near.feature == Feature::inside || (edge >= 0 && goes_on(facet, edge))) return above(p, facet);
   Vec3 normal;
   if (edge >= 0) {
     normal = edge_normal_[facet][edge];
@@ -98,6 +93,18 @@ SurfacePoint ToolSurface::at(const Vec3& p, int facet, const FacetPoint& near) c
   // On the surface itself the shortest way has no direction: the facet's normal stands for it.
   constexpr double touching = 1e-12; // [m]
   result.normal = distance > touching ? (side / distance) * away : f.normal;
+  return result;
+}
+
+SurfacePoint ToolSurface::above(const Vec3& p, int facet) const
+{
+  const Facet& f = tree_.facet(facet);
+  SurfacePoint result;
+  result.facet = facet;
+  result.normal = f.normal;
+  result.distance = f.height(p);
+  result.point = p - result.distance * f.normal;
+  result.inside = true;
   return result;
 }
 

@@ -33,6 +33,8 @@ public:
   /// The point of one facet nearest to p, with the side of the tool that p is on if no facet is nearer.
   [[nodiscard]] SurfacePoint at(const Vec3& p, int facet) const;
   [[nodiscard]] SurfacePoint at(const Vec3& p, int facet, const FacetPoint& nearest) const;
+  /// The same where that point is known to be inside the facet.
+  [[nodiscard]] SurfacePoint above(const Vec3& p, int facet) const;
   /// The nearest point of two facets, of equally near ones the lower number's.
   [[nodiscard]] SurfacePoint nearest_of(const Vec3& p, int facet, int other) const;
   /// The facet beyond edge k of a facet, or -1 where the surface ends.

@@ -36,8 +36,12 @@ private:
     const int number = model_.contacts[contact].tool;
     const Tool& tool = model_.tools[number];
     const Vec3 x = s_.sheet.position[node] - s_.tools[number].displacement * tool.direction;
-    const int met = s_.contacts[contact].planes.facet[node], hint = met >= 0 ? met : hint_[contact];
-    const SurfacePoint found = tool.surface.nearest(x, hint, bound);
+    const int met = s_.contacts[contact].planes.facet[node];
+    // Who touches is quickly found from the facet that contact knows.
+    const bool touches = s_.contacts[contact].normal_force[node] > 0.0;
+    const SurfacePoint found = touches && met >= 0
+                                   ? model_.contacts[contact].neighbours->nearest(x, met).point
+                                   : tool.surface.nearest(x, met >= 0 ? met : hint_[contact], bound);
     if (found.facet >= 0) hint_[contact] = found.facet;
     return found;
   }
