@@ -30,7 +30,9 @@ struct State {
 
   std::vector<double> strip_strain; ///< per strip of yarn, mean over its entries, at x_n
   std::vector<double> sine;         ///< m, sin(theta) = f1.f2 at x_n
-  std::vector<ShearPoint> shear;    ///< m, at x_n
+  std::vector<double> shear_angle;  ///< m, of ShearPoint at x_n [rad]
+  std::vector<double> shear_force;  ///< m, likewise [N/m]
+  std::vector<double> shear_rate;   ///< m, likewise [rad/s]
   std::vector<Vec3> block_force;    ///< each block's own, of its nodes, summed per node in fixed order [N]
 
   // Since the start, per block of elements or node, so that sums are the same for any number of threads [J]

@@ -217,7 +217,7 @@ struct BendingWork {
   void take(std::span<const int> points, const ImagedPositions& x)
   {
     position.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) position[i] = Padded(x[points[i]]);
+    for (std::size_t i = 0; i < points.size(); ++i) position[i].set(x[points[i]]);
   }
   /// The block's forces from its lanes.
   void give(const Bending& bending, const Bending::Block& block, std::span<Vec3> block_force)

@@ -30,7 +30,7 @@ int strips_before(const YarnStrips& strips, int first, int end)
 
 } // namespace
 
-ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, const YarnStrips& strips)
+ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, YarnStrips& strips)
 {
   const int elements = static_cast<int>(triangles.size());
   entry.resize(strips.entry.size());
@@ -45,6 +45,7 @@ ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t no
       if (b.own == 1) throw std::length_error("the strips of yarn through one element have too many elements");
       b.own /= 2;
     }
+    strips.sort_by_length(b.first_strip, b.strips);
     b.places = b.own + static_cast<int>(guests.size());
     b.first_place = static_cast<int>(element.size());
     for (int e = b.first_element; e < b.first_element + b.own; ++e) element.push_back(e);
@@ -64,7 +65,7 @@ ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t no
         const auto place = own_place >= 0 && own_place < b.own
                                ? own_place
                                : b.own + (std::lower_bound(guests.begin(), guests.end(), e) - guests.begin());
-        entry[k] = static_cast<Entry>(place + capacity * family);
+        entry[k] = static_cast<Entry>(place + stride * family);
       }
     blocks.push_back(b);
     b.first_element += b.own;

@@ -15,6 +15,7 @@ namespace towform {
 struct ElementBlocks {
   static constexpr int own_most = 512; ///< elements of a block
   static constexpr int capacity = 1024; ///< places of a block, for own elements and guests
+  static constexpr int stride = capacity + 24; ///< from warp to weft: arrays that far apart do not share a cache's sets
 
   /// Numbers of what belongs to a block in the arrays below.
   struct Block {
@@ -24,7 +25,7 @@ struct ElementBlocks {
     int first_strip = 0, strips = 0;
     BlockSlots::Range nodes;
   };
-  /// An entry of a strip by its place in the block: place + capacity * family (0 warp, 1 weft).
+  /// An entry of a strip by its place in the block: place + stride * family (0 warp, 1 weft).
   using Entry = std::uint16_t;
 
   std::vector<Block> blocks;
@@ -34,9 +35,9 @@ struct ElementBlocks {
   BlockSlots slots;                  ///< of nodes, for forces
 
   ElementBlocks() = default;
-  /// Strips must be in the order of their first entries. Throws std::length_error when a single element's strips
-  /// have more elements than a block has places.
-  ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, const YarnStrips& strips);
+  /// Strips must be in the order of their first entries; those of a block are then sorted by length. Throws
+  /// std::length_error when a single element's strips have more elements than a block has places.
+  ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, YarnStrips& strips);
 
   /// Corners of a block's places, three each.
   [[nodiscard]] const std::uint16_t* corners(const Block& b) const

@@ -19,15 +19,14 @@ void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int nu
   w.take(nodes, sheet.position);
   in_batches(0, block.places, [&](int first, int count) {
     gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
-    yarn_vectors(coefficients, w.batch, first, count, w.lanes);
+    yarn_vectors(coefficients, spring, w.batch, first, count, w.lanes);
   });
   w.take(nodes, motion);
   in_batches(0, block.places, [&](int first, int count) {
     gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
-    motion_strains(coefficients, w.batch, first, count, w.lanes);
+    motion_strains(coefficients, spring, w.batch, first, count, w.lanes);
   });
   const StripEntries entries = membrane.entries(block);
-  weigh_strains(coefficients.area, spring, block.places, w.lanes);
   sum_strips(entries, w.lanes, w.strips);
   const double stiffness = sheet.yarn_factor * membrane.yarn.stiffness - spring;
   for (int i = 0; i < block.strips; ++i)
@@ -37,7 +36,7 @@ void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int nu
     shear_angles(w.lanes, first, count, 0.0, w.batch);
     gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
     motion_shear(coefficients, sheet.shear_modulus, w.lanes, first, count, w.batch);
-    shear_and_tension(coefficients, spring, w.lanes, first, count, 1.0, w.batch);
+    shear_and_tension(coefficients, spring, w.lanes, first, count, w.batch);
     add_forces(w.batch, corner + 3 * first, count, w.force.data());
   });
   in_batches(block.own, block.places, [&](int first, int count) {

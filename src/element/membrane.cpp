@@ -96,7 +96,7 @@ void start(const Membrane& membrane, State& s)
   const std::size_t m = membrane.triangles.size(), blocks = membrane.blocks.blocks.size();
   s.strip_strain.assign(membrane.strips.size(), 0.0);
   s.sine.assign(m, membrane.reference_sine);
-  s.shear.assign(m, {});
+  for (std::vector<double>* v : {&s.shear_angle, &s.shear_force, &s.shear_rate}) v->assign(m, 0.0);
   s.block_force.assign(membrane.blocks.slots.count(), {});
   s.shear_work.assign(blocks, 0.0);
   s.shear_dissipated.assign(blocks, 0.0);
@@ -105,24 +105,12 @@ void start(const Membrane& membrane, State& s)
 
 namespace {
 
-/// Sum in an order that vectors share: eight sums side by side, then these.
-double sum(const double* values, int count)
-{
-  constexpr int side_by_side = 8;
-  std::array<double, side_by_side> sums{};
-  int i = 0;
-  for (; i + side_by_side <= count; i += side_by_side)
-    for (int k = 0; k < side_by_side; ++k) sums[k] += values[i + k];
-  for (int k = 0; i < count; ++i, ++k) sums[k] += values[i];
-  return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
-}
-
 /// Any law, point by point.
 template <class Law>
-void update(const Law& law, MembraneBatch& b, int count, double dt)
+void update(const Law& law, const ShearLanes& old, MembraneBatch& b, int count, double dt)
 {
   for (int i = 0; i < count; ++i) {
-    ShearPoint p{b.old_angle[i], b.old_force[i], b.rate[i]};
+    ShearPoint p{old.angle[i], old.force[i], old.rate[i]};
     b.lost[i] = law.update(p, b.angle[i], dt);
     b.force[i] = p.force;
     b.rate[i] = p.rate;
@@ -137,7 +125,7 @@ public:
       : membrane_(membrane), law_(law), s_(s), dt_(dt), number_(number), w_(w),
         block_(membrane.blocks.blocks[number]), coefficients_(membrane.coefficients(block_)),
         corner_(membrane.blocks.corners(block_)),
-        spring_(membrane.own_stiffness)
+        spring_(membrane.own_stiffness), reference_angle_(arcsine(membrane.reference_sine))
   {
   }
 
@@ -146,13 +134,13 @@ public:
     w_.take(membrane_.blocks.slots.points(block_.nodes), s_.position);
     in_batches(0, block_.places, [&](int first, int count) {
       gather_edges(w_.position.data(), corner_ + 3 * first, count, w_.batch);
-      yarn_vectors(coefficients_, w_.batch, first, count, w_.lanes);
+      yarn_vectors(coefficients_, spring_, w_.batch, first, count, w_.lanes);
     });
     tension_of_strips();
     double work = 0.0, dissipated = 0.0;
     in_batches(0, block_.own, [&](int first, int count) {
       shear(first, count);
-      shear_and_tension(coefficients_, spring_, w_.lanes, first, count, dt_, w_.batch);
+      shear_and_tension(coefficients_, spring_, w_.lanes, first, count, w_.batch);
       work += sum(w_.batch.work, count);
       dissipated += sum(w_.batch.dissipated, count);
       add_forces(w_.batch, corner_ + 3 * first, count, w_.force.data());
@@ -172,7 +160,6 @@ private:
   {
     const YarnStrips& all = membrane_.strips;
     const StripEntries entries = membrane_.entries(block_);
-    weigh_strains(coefficients_.area, spring_, block_.places, w_.lanes);
     sum_strips(entries, w_.lanes, w_.strips);
     const double viscosity = membrane_.yarn.stiffness * membrane_.damping_time / dt_;
     strip_tensions(membrane_.yarn, viscosity, spring_, all.area.data() + block_.first_strip,
@@ -184,22 +171,12 @@ private:
   /// Advances the law's points.
   void shear(int first, int count)
   {
-    MembraneBatch& b = w_.batch;
-    const double reference_angle = arcsine(membrane_.reference_sine);
-    ShearPoint* points = s_.shear.data() + block_.first_element + first;
-    double* sine = s_.sine.data() + block_.first_element + first;
-    for (int i = 0; i < count; ++i) {
-      b.old_sine[i] = sine[i];
-      b.old_angle[i] = points[i].angle;
-      b.old_force[i] = points[i].force;
-      b.rate[i] = points[i].rate;
-    }
-    shear_angles(w_.lanes, first, count, reference_angle, b);
-    update(law_, b, count, dt_);
-    for (int i = 0; i < count; ++i) {
-      sine[i] = b.sine[i];
-      points[i] = {b.angle[i], b.force[i], b.rate[i]};
-    }
+    const std::ptrdiff_t e = block_.first_element + first;
+    const ShearLanes state{s_.sine.data() + e, s_.shear_angle.data() + e, s_.shear_force.data() + e,
+                           s_.shear_rate.data() + e};
+    shear_angles(w_.lanes, first, count, reference_angle_, w_.batch);
+    update(law_, state, w_.batch, count, dt_);
+    keep(coefficients_.area + first, dt_, count, w_.batch, state);
   }
 
   const Membrane& membrane_;
@@ -211,7 +188,7 @@ private:
   const ElementBlocks::Block& block_;
   MembraneCoefficients coefficients_;
   const std::uint16_t* corner_;
-  double spring_;
+  double spring_, reference_angle_;
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "element/membrane_lanes.hpp"
 #include "element/arcsine.hpp"
 #include "parallel/vector_clones.hpp"
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -13,10 +14,18 @@ inline MembraneCoefficients from(const MembraneCoefficients& c, int first)
 {
   return {c.warp_1 + first, c.warp_2 + first, c.weft_1 + first, c.weft_2 + first, c.area + first};
 }
+
+inline void set_strain(BlockLanes& lanes, int entry, double strain, double area, double spring)
+{
+  lanes.strain[entry] = strain;
+  lanes.weighed_strain[entry] = area * strain;
+  lanes.base_tension[entry] = -spring * strain;
+}
 } // namespace
 
 TOWFORM_VECTOR_CLONES
-void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count, BlockLanes& __restrict lanes)
+void yarn_vectors(const MembraneCoefficients& c, double spring, const MembraneBatch& __restrict b, int first, int count,
+                  BlockLanes& __restrict lanes)
 {
   const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
@@ -29,8 +38,8 @@ void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& __restrict
     const double stretch1 = std::sqrt(a1x * a1x + a1y * a1y + a1z * a1z);
     const double stretch2 = std::sqrt(a2x * a2x + a2y * a2y + a2z * a2z);
     const double inverse1 = 1.0 / stretch1, inverse2 = 1.0 / stretch2;
-    lanes.strain[first + i] = stretch1 - 1.0;
-    lanes.strain[BlockLanes::size + first + i] = stretch2 - 1.0;
+    set_strain(lanes, first + i, stretch1 - 1.0, g.area[i], spring);
+    set_strain(lanes, BlockLanes::size + first + i, stretch2 - 1.0, g.area[i], spring);
     lanes.over_stretch[first + i] = inverse1;
     lanes.over_stretch[BlockLanes::size + first + i] = inverse2;
     lanes.f1x[first + i] = inverse1 * a1x;
@@ -69,20 +78,27 @@ struct TableLanes {
   // NOLINTEND(modernize-avoid-c-arrays)
 };
 
-/// What vectors fill: loops over the last ones meet no rest. Lanes beyond the count may hold anything.
+/// What vectors fill: loops over the last ones meet no rest. Lanes beyond the count hold any element's numbers.
 constexpr int whole_vectors(int count) { return (count + 7) / 8 * 8; }
 
 TOWFORM_VECTOR_CLONES
-void begin(double cells_per_radian, double modulus, const MembraneBatch& __restrict b, int count,
+void begin(double cells_per_radian, double modulus, const ShearLanes& old, const MembraneBatch& __restrict b, int count,
            TableLanes& __restrict t)
 {
+  const double* __restrict old_angle = old.angle;
+  const double* __restrict old_force = old.force;
+  const double* __restrict old_rate = old.rate;
   for (int i = 0; i < count; ++i) {
-    t.trial[i] = b.old_force[i] + modulus * (b.angle[i] - b.old_angle[i]);
+    t.trial[i] = old_force[i] + modulus * (b.angle[i] - old_angle[i]);
     const ShearTable::Row row = ShearTable::row_of(b.angle[i], cells_per_radian);
     t.weight[i] = row.weight;
     t.row[i] = row.first;
-    t.rate[i] = b.rate[i];
+    t.rate[i] = old_rate[i];
     t.index[i] = i;
+  }
+  for (int i = count; i < whole_vectors(count); ++i) {
+    t.weight[i] = t.trial[i] = t.rate[i] = 0.0;
+    t.row[i] = 0;
   }
 }
 
@@ -98,7 +114,7 @@ void find_cells(int count, TableLanes& __restrict t)
 
 void read_table(const float* forces, int count, TableLanes& t)
 {
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < whole_vectors(count); ++i) {
     const float* low = forces + t.place[i];
     std::memcpy(&t.low[i], low, sizeof t.low[i]);
     std::memcpy(&t.high[i], low + ShearTable::rate_points, sizeof t.high[i]);
@@ -123,27 +139,41 @@ void solve(double spring, int count, TableLanes& __restrict t)
   }
 }
 
-/// Hands the rates found to the batch and keeps the unsettled ones; returns how many.
-int settle(int count, TableLanes& t, MembraneBatch& b)
+/// The first look at the table tells most rates.
+TOWFORM_VECTOR_CLONES
+void take_all(int count, const TableLanes& __restrict t, MembraneBatch& __restrict b)
+{
+  for (int i = 0; i < count; ++i) b.rate[i] = t.rate[i];
+}
+
+void take_those_left(int count, const TableLanes& t, MembraneBatch& b)
+{
+  for (int i = 0; i < count; ++i) b.rate[t.index[i]] = t.rate[i];
+}
+
+/// Moves the unsettled ones, mostly few, to the front; returns how many.
+int keep_unsettled(int count, TableLanes& t)
 {
   int left = 0;
   for (int i = 0; i < count; ++i) {
-    b.rate[t.index[i]] = t.rate[i];
+    if (t.unsettled[i] == 0) continue;
     t.weight[left] = t.weight[i];
     t.trial[left] = t.trial[i];
     t.rate[left] = t.rate[i];
     t.row[left] = t.row[i];
     t.index[left] = t.index[i];
-    left += static_cast<int>(t.unsettled[i]);
+    ++left;
   }
   return left;
 }
 
 TOWFORM_VECTOR_CLONES
-void finish(double modulus, double spring, int count, MembraneBatch& b)
+void finish(double modulus, double spring, const ShearLanes& old, int count, MembraneBatch& __restrict b)
 {
+  const double* __restrict old_angle = old.angle;
+  const double* __restrict old_force = old.force;
   for (int i = 0; i < count; ++i) {
-    const double trial = b.old_force[i] + modulus * (b.angle[i] - b.old_angle[i]);
+    const double trial = old_force[i] + modulus * (b.angle[i] - old_angle[i]);
     const double force = std::copysign(std::abs(trial) - spring * b.rate[i], trial);
     b.force[i] = force;
     b.lost[i] = std::abs(force) * b.rate[i];
@@ -152,28 +182,33 @@ void finish(double modulus, double spring, int count, MembraneBatch& b)
 
 } // namespace
 
-void update(const ViscousLaw& law, MembraneBatch& b, int count, double dt)
+void update(const ViscousLaw& law, const ShearLanes& old, MembraneBatch& b, int count, double dt)
 {
   TableLanes t;
   const double spring = law.modulus * dt;
-  begin(law.surface->cells_per_radian(), law.modulus, b, count, t);
+  begin(law.surface->cells_per_radian(), law.modulus, old, b, count, t);
   int left = count;
   for (int round = 0; round < ViscousLaw::most_rounds && left > 0; ++round) {
     find_cells(left, t);
     read_table(law.surface->forces(), left, t);
     solve(spring, left, t);
-    left = settle(left, t, b);
+    if (round == 0)
+      take_all(left, t, b);
+    else
+      take_those_left(left, t, b);
+    left = keep_unsettled(left, t);
   }
-  finish(law.modulus, spring, count, b);
+  finish(law.modulus, spring, old, count, b);
 }
 
 TOWFORM_VECTOR_CLONES
-void update(const ElasticLaw& law, MembraneBatch& __restrict b, int count, double dt)
+void update(const ElasticLaw& law, const ShearLanes& old, MembraneBatch& __restrict b, int count, double dt)
 {
+  const double* __restrict old_angle = old.angle;
   const ShearCurve curve = law.curves->curves.front();
   const double at_joint = curve.force(ElasticLaw::joint);
   for (int i = 0; i < count; ++i) {
-    b.rate[i] = std::abs(b.angle[i] - b.old_angle[i]) / dt;
+    b.rate[i] = std::abs(b.angle[i] - old_angle[i]) / dt;
     b.force[i] = ElasticLaw::force(curve, at_joint, b.angle[i]);
     b.lost[i] = 0.0;
   }
@@ -187,15 +222,43 @@ inline double tension_of(const BlockLanes& lanes, double spring, int entry)
 } // namespace
 
 TOWFORM_VECTOR_CLONES
+void keep(const double* area, double dt, int count, MembraneBatch& __restrict b, const ShearLanes& state)
+{
+  const double* __restrict areas = area;
+  double* __restrict sine = state.sine;
+  double* __restrict angle = state.angle;
+  double* __restrict force = state.force;
+  double* __restrict rate = state.rate;
+  for (int i = 0; i < count; ++i) {
+    b.work[i] = areas[i] * 0.5 * (force[i] + b.force[i]) * (b.sine[i] - sine[i]);
+    b.dissipated[i] = areas[i] * b.lost[i] * dt * std::sqrt(1.0 - b.sine[i] * b.sine[i]);
+    sine[i] = b.sine[i];
+    angle[i] = b.angle[i];
+    force[i] = b.force[i];
+    rate[i] = b.rate[i];
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+double sum(const double* values, int count)
+{
+  constexpr int side_by_side = 8;
+  alignas(64) std::array<double, side_by_side> sums{};
+  int i = 0;
+  for (; i + side_by_side <= count; i += side_by_side)
+    for (int k = 0; k < side_by_side; ++k) sums[k] += values[i + k];
+  for (int k = 0; i < count; ++i, ++k) sums[k] += values[i];
+  return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + ((sums[4] + sums[5]) + (sums[6] + sums[7]));
+}
+
+TOWFORM_VECTOR_CLONES
 void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& __restrict lanes, int first,
-                       int count, double dt, MembraneBatch& __restrict b)
+                       int count, MembraneBatch& __restrict b)
 {
   const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const double area = g.area[i], sine = b.sine[i], force = b.force[i];
-    b.work[i] = area * 0.5 * (b.old_force[i] + force) * (sine - b.old_sine[i]);
-    b.dissipated[i] = area * b.lost[i] * dt * std::sqrt(1.0 - sine * sine);
     const double n1 = force * lanes.over_stretch[k], n2 = force * lanes.over_stretch[BlockLanes::size + k];
     // P . f01 and P . f02 times the area
     const double along1 = area * (tension_of(lanes, spring, k) - n1 * sine), across1 = area * n1;
@@ -236,19 +299,6 @@ void tension(const MembraneCoefficients& c, double spring, const BlockLanes& __r
 }
 
 TOWFORM_VECTOR_CLONES
-void weigh_strains(const double* area, double spring, int count, BlockLanes& __restrict lanes)
-{
-  const double* __restrict areas = area;
-  for (int family = 0; family < 2; ++family) {
-    const int first = family * BlockLanes::size;
-    for (int i = 0; i < count; ++i) {
-      lanes.weighed_strain[first + i] = areas[i] * lanes.strain[first + i];
-      lanes.base_tension[first + i] = -spring * lanes.strain[first + i];
-    }
-  }
-}
-
-TOWFORM_VECTOR_CLONES
 void strip_tensions(const YarnLaw& law, double viscosity, double spring, const double* area, double* strain, int count,
                     StripLanes& __restrict s)
 {
@@ -280,18 +330,20 @@ void hand_out(const StripEntries& s, const StripLanes& strips, BlockLanes& lanes
 }
 
 TOWFORM_VECTOR_CLONES
-void motion_strains(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count,
+void motion_strains(const MembraneCoefficients& c, double spring, const MembraneBatch& __restrict b, int first, int count,
                     BlockLanes& __restrict lanes)
 {
   const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
-    lanes.strain[k] = lanes.f1x[k] * (g.warp_1[i] * b.d1x[i] + g.warp_2[i] * b.d2x[i]) +
-                      lanes.f1y[k] * (g.warp_1[i] * b.d1y[i] + g.warp_2[i] * b.d2y[i]) +
-                      lanes.f1z[k] * (g.warp_1[i] * b.d1z[i] + g.warp_2[i] * b.d2z[i]);
-    lanes.strain[BlockLanes::size + k] = lanes.f2x[k] * (g.weft_1[i] * b.d1x[i] + g.weft_2[i] * b.d2x[i]) +
-                                         lanes.f2y[k] * (g.weft_1[i] * b.d1y[i] + g.weft_2[i] * b.d2y[i]) +
-                                         lanes.f2z[k] * (g.weft_1[i] * b.d1z[i] + g.weft_2[i] * b.d2z[i]);
+    const double warp = lanes.f1x[k] * (g.warp_1[i] * b.d1x[i] + g.warp_2[i] * b.d2x[i]) +
+                        lanes.f1y[k] * (g.warp_1[i] * b.d1y[i] + g.warp_2[i] * b.d2y[i]) +
+                        lanes.f1z[k] * (g.warp_1[i] * b.d1z[i] + g.warp_2[i] * b.d2z[i]);
+    const double weft = lanes.f2x[k] * (g.weft_1[i] * b.d1x[i] + g.weft_2[i] * b.d2x[i]) +
+                        lanes.f2y[k] * (g.weft_1[i] * b.d1y[i] + g.weft_2[i] * b.d2y[i]) +
+                        lanes.f2z[k] * (g.weft_1[i] * b.d1z[i] + g.weft_2[i] * b.d2z[i]);
+    set_strain(lanes, k, warp, g.area[i], spring);
+    set_strain(lanes, BlockLanes::size + k, weft, g.area[i], spring);
   }
 }
 

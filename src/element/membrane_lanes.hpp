@@ -9,7 +9,7 @@ namespace towform {
 /// Elements of a block side by side, so that one instruction serves several: each array has a place per element.
 /// Names as in Membrane; 1 and 2 are warp and weft.
 struct BlockLanes {
-  static constexpr int size = ElementBlocks::capacity;
+  static constexpr int size = ElementBlocks::stride;
   using Lanes = double[size];         // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
   using Families = double[2 * size];  // NOLINT(modernize-avoid-c-arrays): warps, then wefts
   alignas(64) Lanes f1x, f1y, f1z, f2x, f2y, f2z; ///< unit yarn vectors
@@ -34,11 +34,16 @@ struct MembraneBatch {
   using Lanes = double[size]; // NOLINT(modernize-avoid-c-arrays)
 
   alignas(64) Lanes d1x, d1y, d1z, d2x, d2y, d2z; ///< edges from corner 0 [m]
-  alignas(64) Lanes old_sine, sine;               ///< f1 . f2
-  alignas(64) Lanes old_angle, angle, rate;       ///< of the law's point
-  alignas(64) Lanes old_force, force, lost;       ///< N; power dissipated over cos(theta)
+  alignas(64) Lanes sine;                         ///< f1 . f2
+  alignas(64) Lanes angle, force, rate;           ///< of the law's point
+  alignas(64) Lanes lost;                         ///< power dissipated over cos(theta)
   alignas(64) Lanes work, dissipated;             ///< of the step [J]
   alignas(64) Lanes p1x, p1y, p1z, p2x, p2y, p2z; ///< forces on corners 1 and 2 [N]
+};
+
+/// The batch's elements in the state, as the step before left them. Names as in State.
+struct ShearLanes {
+  double *sine, *angle, *force, *rate;
 };
 
 /// What an element is made of, per place: gradients [1/m] and reference area [m^2]. Sizes: places of the block.
@@ -46,33 +51,38 @@ struct MembraneCoefficients {
   const double *warp_1, *warp_2, *weft_1, *weft_2, *area;
 };
 
-/// Yarn vectors and strains of places first, first + 1, ... of the block from the batch's edges.
-void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& b, int first, int count, BlockLanes& lanes);
+/// Yarn vectors and strains of places first, first + 1, ... of the block from the batch's edges. `spring` is that of
+/// elements to their strips [N/m]: base tensions begin such that there is none where the strip is another block's.
+void yarn_vectors(const MembraneCoefficients& c, double spring, const MembraneBatch& b, int first, int count,
+                  BlockLanes& lanes);
 
 /// Sine and shear angle, counted from `reference_angle` [rad].
 void shear_angles(const BlockLanes& lanes, int first, int count, double reference_angle, MembraneBatch& b);
 
-/// Advances the points of a law by dt: the same bits as the law's own update.
-void update(const ViscousLaw& law, MembraneBatch& b, int count, double dt);
-void update(const ElasticLaw& law, MembraneBatch& b, int count, double dt);
+/// Forces and rates of a law's points at the batch's angles, dt after the old ones: the same bits as the law's own update.
+void update(const ViscousLaw& law, const ShearLanes& old, MembraneBatch& b, int count, double dt);
+void update(const ElasticLaw& law, const ShearLanes& old, MembraneBatch& b, int count, double dt);
 
-/// Works of the step and corner forces, of tension and shear. `spring` is that of elements to their strips [N/m].
+/// Works of the step; the state takes over what is new.
+void keep(const double* area, double dt, int count, MembraneBatch& b, const ShearLanes& state);
+
+/// Sum in an order that vectors share: eight sums side by side, then these.
+double sum(const double* values, int count);
+
+/// Corner forces of tension and shear.
 void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& lanes, int first, int count,
-                       double dt, MembraneBatch& b);
+                       MembraneBatch& b);
 
 /// The same of small motions, whose edges are in the batch: strains along yarns that stay as they are, and shear force at
 /// `modulus` dN/dtheta [N/m].
-void motion_strains(const MembraneCoefficients& c, const MembraneBatch& b, int first, int count, BlockLanes& lanes);
+void motion_strains(const MembraneCoefficients& c, double spring, const MembraneBatch& b, int first, int count,
+                    BlockLanes& lanes);
 void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLanes& lanes, int first, int count,
                   MembraneBatch& b);
 
 /// Corner forces of tension alone.
 void tension(const MembraneCoefficients& c, double spring, const BlockLanes& lanes, int first, int count,
              MembraneBatch& b);
-
-/// Weighs the strains of the first `count` places; base tensions such that there is none where the strip is another
-/// block's.
-void weigh_strains(const double* area, double spring, int count, BlockLanes& lanes);
 
 /// The strips of a block by their entries.
 struct StripEntries {

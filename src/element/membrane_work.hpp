@@ -11,20 +11,21 @@ struct Workplace {
   BlockLanes lanes;
   StripLanes strips;
   MembraneBatch batch;
-  std::array<Padded, 3 * ElementBlocks::capacity> position, force;
+  std::array<Padded, 3 * ElementBlocks::capacity> position;
+  std::array<Padded, 3 * ElementBlocks::capacity> force{}; ///< nothing, between two blocks
 
-  /// Brings a block's nodes near; their forces begin at nothing.
+  /// Brings a block's nodes near.
   void take(std::span<const int> nodes, std::span<const Vec3> of_all)
   {
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      position[i] = Padded(of_all[nodes[i]]);
-      force[i] = {};
-    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) position[i].set(of_all[nodes[i]]);
   }
-  void give(const BlockSlots::Range& nodes, std::span<Vec3> block_force) const
+  void give(const BlockSlots::Range& nodes, std::span<Vec3> block_force)
   {
     Vec3* to = block_force.data() + nodes.first;
-    for (int i = 0; i < nodes.count; ++i) to[i] = force[i].vec3();
+    for (int i = 0; i < nodes.count; ++i) {
+      to[i] = force[i].vec3();
+      force[i] = {};
+    }
   }
 };
 

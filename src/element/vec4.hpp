@@ -10,8 +10,13 @@ using Vec4 = double __attribute__((vector_size(32)));
 struct alignas(32) Padded {
   Vec4 v{};
 
-  Padded() = default;
-  explicit Padded(const Vec3& a) : v{a.x, a.y, a.z, 0.0} {}
+  /// Number by number: a vector made first would wait for its parts on the way through memory.
+  void set(const Vec3& a)
+  {
+    v[0] = a.x;
+    v[1] = a.y;
+    v[2] = a.z;
+  }
   [[nodiscard]] Vec3 vec3() const { return {v[0], v[1], v[2]}; }
 };
 

@@ -180,6 +180,28 @@ YarnStrips collected(const std::vector<std::vector<YarnEntry>>& lists, std::span
 
 } // namespace
 
+void YarnStrips::sort_by_length(int begin, int count)
+{
+  struct Strip {
+    std::vector<YarnEntry> entries;
+    double area;
+  };
+  std::vector<Strip> sorted;
+  for (int i = begin; i < begin + count; ++i) {
+    const std::span<const YarnEntry> its = entries_of(static_cast<std::size_t>(i));
+    sorted.push_back({{its.begin(), its.end()}, area[i]});
+  }
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Strip& a, const Strip& b) { return a.entries.size() < b.entries.size(); });
+  for (int i = begin; const Strip& strip : sorted) {
+    std::copy(strip.entries.begin(), strip.entries.end(), entry.begin() + first[i]);
+    for (const YarnEntry its : strip.entries) of[its] = i;
+    area[i] = strip.area;
+    first[i + 1] = first[i] + static_cast<int>(strip.entries.size());
+    ++i;
+  }
+}
+
 bool follows_yarns(const Blank& blank)
 {
   constexpr double tolerance = 1e-6; // sine of the angle between edge and yarn

@@ -34,6 +34,9 @@ struct YarnStrips {
   {
     return {entry.data() + first[strip], entry.data() + first[strip + 1]};
   }
+  /// Puts `count` strips from `begin` on into the order of their lengths: loops over their entries then end as the
+  /// processor expects.
+  void sort_by_length(int begin, int count);
 };
 
 /// Whether every triangle has an edge along the warp and one along the weft.

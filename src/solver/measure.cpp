@@ -20,12 +20,12 @@ void sheet_fields(const Model& model, const State& s, Frame& f)
   // The sheet keeps its volume: its area grows by lambda1 lambda2 cos(theta) over that of the reference.
   const double reference_cosine = std::sqrt(1.0 - membrane.reference_sine * membrane.reference_sine);
   for (std::size_t e = 0; e < membrane.triangles.size(); ++e) {
-    const ShearPoint& p = s.shear[e];
-    f.shear_angle.push_back(p.angle * to_degrees);
-    f.shear_rate.push_back(p.rate);
-    f.curve_index.push_back(curves.next_higher(p.rate * scale));
-    f.curve_position.push_back(curves.position(p.rate * scale));
-    f.shear_force.push_back(p.force);
+    const double rate = s.shear_rate[e];
+    f.shear_angle.push_back(s.shear_angle[e] * to_degrees);
+    f.shear_rate.push_back(rate);
+    f.curve_index.push_back(curves.next_higher(rate * scale));
+    f.curve_position.push_back(curves.position(rate * scale));
+    f.shear_force.push_back(s.shear_force[e]);
     const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
     f.fibre_1.push_back(y.f1);
     f.fibre_2.push_back(y.f2);
@@ -126,10 +126,10 @@ DrawIn DrawInGauge::measure(const Blank& blank, const System& s) const
 FieldExtremes field_extremes(const Membrane& membrane, const System& s)
 {
   const std::vector<int>& strip = membrane.strips.of;
-  const std::size_t elements = s.sheet.shear.size();
+  const std::size_t elements = s.sheet.shear_angle.size();
   std::vector<double> shear(elements), strain(elements), compression(elements);
   for (std::size_t e = 0; e < elements; ++e) {
-    shear[e] = std::abs(s.sheet.shear[e].angle);
+    shear[e] = std::abs(s.sheet.shear_angle[e]);
     const double warp = s.sheet.strip_strain[strip[2 * e]], weft = s.sheet.strip_strain[strip[2 * e + 1]];
     strain[e] = std::max(std::abs(warp), std::abs(weft));
     compression[e] = std::max({0.0, -warp, -weft});

@@ -25,7 +25,8 @@ void visit_list(FieldVisitor& v, const std::string& name, std::vector<Struct>& l
 
 void visit(FieldVisitor& v, State& s)
 {
-  auto& [time, step, last_dt, position, velocity, force, strip_strain, sine, shear, block_force, shear_work, shear_dissipated, yarn_damping, mass_damping] = s;
+  auto& [time, step, last_dt, position, velocity, force, strip_strain, sine, shear_angle, shear_force, shear_rate, block_force, shear_work,
+         shear_dissipated, yarn_damping, mass_damping] = s;
   v("time", time);
   v("step", step);
   v("last_dt", last_dt);
@@ -34,7 +35,9 @@ void visit(FieldVisitor& v, State& s)
   v("force", force);
   v("strip_strain", strip_strain);
   v("sine", sine);
-  v("shear", shear);
+  v("shear_angle", shear_angle);
+  v("shear_force", shear_force);
+  v("shear_rate", shear_rate);
   v.rebuilt("block_force");
   v("shear_work", shear_work);
   v("shear_dissipated", shear_dissipated);
