@@ -23,7 +23,7 @@ Json either(const Json& a, const Json& b) { return {{"anyOf", {a, b}}}; }
 
 Json type_schema(const Row& row)
 {
-  const Json points = list_of(list_of(number_schema(), 2));
+  Json points = list_of(list_of(number_schema(), 2));
   return std::visit(Overload{
                         [](At<bool>) -> Json {
                           return {{"type", "boolean"}};

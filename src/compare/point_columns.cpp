@@ -87,6 +87,7 @@ private:
                     [&](const auto& c) { return c.column == table_.columns[column]; }))
       return;
     std::vector<std::string> known;
+    known.reserve(names.size());
     for (const Name& n : names) known.emplace_back(n.text);
     if (const std::string near = nearest(name, known); !near.empty())
       issue(table_.header_line,

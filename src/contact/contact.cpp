@@ -192,8 +192,8 @@ public:
     for (int i = 0; i < count; ++i) s_.force[first + i] += {lanes.fx[i], lanes.fy[i], lanes.fz[i]};
   }
 
-  const int first, count;
   NodeLanes lanes; ///< filled up to whole groups
+  const int first, count;
 
 private:
   void fill_up(std::initializer_list<double*> arrays) const
@@ -202,9 +202,9 @@ private:
       for (double* lane : arrays) lane[i] = 0.0;
   }
 
+  bool moving_ = false;
   State& s_;
   std::span<const double> mass_;
-  bool moving_ = false;
 };
 
 /// A tool against a block of nodes: search, gap, force, friction.

@@ -90,7 +90,7 @@ void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Conta
       continue;
     }
     touching[g] = 1;
-#pragma GCC ivdep
+    TOWFORM_INDEPENDENT
     for (int k = 0; k < group; ++k) {
       const int i = first + k;
       const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i], gap = gaps.gap[i];

@@ -45,8 +45,11 @@ CurvatureOperator::Chords chords_of(const MirroredSheet& sheet, int node, const 
     for (const Chord& c : chords) {
       constexpr double least = 0.5;
       if (angle(c) < least) continue;
-      const double nearer = found == nullptr ? 1.0 : found->off - c.off;
-      if (nearer > rounding || (nearer > -rounding && angle(c) > angle(*found) + rounding)) found = &c;
+      const auto is_better = [&](const Chord& than) {
+        const double nearer = than.off - c.off;
+        return nearer > rounding || (nearer > -rounding && angle(c) > angle(than) + rounding);
+      };
+      if (found == nullptr || is_better(*found)) found = &c;
     }
     return found;
   };

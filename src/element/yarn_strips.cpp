@@ -11,7 +11,7 @@ namespace {
 /// A rectangle of the lattice of one yarn family: row across, column along the yarns, level by element size.
 struct Cell {
   int level, family, row, column;
-  auto operator<=>(const Cell&) const = default;
+  auto operator<=>(const Cell&) const = default; // NOLINT(modernize-use-nullptr): none is used
 };
 
 /// Index of the interval of a lattice that has a border at 0, alike on both sides of it.

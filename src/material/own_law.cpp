@@ -72,12 +72,12 @@ FabricMaterial own_material(const MaterialParameters& m)
   constexpr int points = (ShearTable::angle_cells + 1) * ShearTable::rate_points;
   const float* odd = std::find_if_not(forces, forces + points, [](float f) { return std::isfinite(f); });
   if (odd != forces + points) {
-    const auto place = odd - forces;
+    const auto place = odd - forces, row = place / ShearTable::rate_points;
     throw std::domain_error(
         fmt::format("the program's own shear law ({}) gives no finite force at {:.4g} deg and {:.4g} rad/s",
                     law.description(),
                     result.surface->max_angle() * 180.0 / M_PI / ShearTable::angle_cells *
-                        static_cast<double>(place / ShearTable::rate_points),
+                        static_cast<double>(row),
                     ShearTable::rate_of(place % ShearTable::rate_points)));
   }
   return result;

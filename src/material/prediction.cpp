@@ -43,7 +43,7 @@ std::string matrix_name(const MatrixViscosity& m)
   const bool wlf = m.shift == TemperatureShift::wlf;
   const std::string shift = wlf ? fmt::format("WLF C1 {:g} C2 {:g} K", m.wlf_c1, m.wlf_c2)
                                 : fmt::format("Arrhenius {:g} kJ/mol", 1e-3 * m.activation_energy);
-  const std::string at = fmt::format("at {:g} degC, {}", m.reference_temperature - celsius, shift);
+  std::string at = fmt::format("at {:g} degC, {}", m.reference_temperature - celsius, shift);
   const auto formula = [&](const char* name, const std::string& more) {
     return fmt::format("{} eta0 {:g} Pa s, lambda {:g} s, n {:g}{} {}", name, m.zero_shear_viscosity,
                        m.time_constant, m.exponent, more, at);

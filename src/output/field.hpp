@@ -7,7 +7,7 @@ namespace towform {
 
 /// A field of a frame as the files hold it. The table of fields is the one place that knows names, units and
 /// stored types; results.h5 and results.xdmf are both written from it.
-struct Field {
+struct Field { // NOLINT(clang-analyzer-optin.performance.Padding): in the order of a reader
   enum class Centre { node, element };
   enum class Number { int32, float32, float64 };
   struct Values {

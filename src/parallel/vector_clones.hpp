@@ -9,3 +9,10 @@
 #else
 #define TOWFORM_VECTOR_CLONES
 #endif
+
+/// Before a loop whose turns do not depend on each other, where the compiler cannot see it.
+#if defined(__GNUC__) && !defined(__clang__)
+#define TOWFORM_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define TOWFORM_INDEPENDENT
+#endif

@@ -31,7 +31,7 @@ yarn strain over strips of yarn there (`src/element/yarn_strips.hpp`), and the f
 meshes it still does. Beside it stands the mesh along the yarns as the presses are computed, strips with a stiff spring: of all
 meshes here it is nearest to the theory, which is exact for yarns that do not stretch. With `yarn_strain = "auto"` each triangle of
 that mesh stands for itself, and fine meshes shear a little too easily. Single meshes can be nearer by chance where their error
-changes its sign (15 deg, cross 45 deg at 16 across): what falls is the error of the mesh that is farthest off.
+changes its sign (15 deg at 16 across, unstructured at 32): what falls is the error of the mesh that is farthest off.
 """
 DOMES = """
 The double dome of the paper (60 mm at 1 m/s; its tools are assumed, the drawing is lost) and a hemisphere of 75 mm.
