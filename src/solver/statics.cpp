@@ -214,7 +214,6 @@ NewtonReport advance(const StaticsModel& model, StaticsState& s, double dt, cons
       t.q += correction;
       t.p += lacking;
       lacking.setZero();
-      corrected = HUGE_VAL;
     }
     corrected = correction.lpNorm<Eigen::Infinity>();
     ++report.iterations;
