@@ -14,13 +14,12 @@ runs taken in turn, with the median beside: machines are shared, and the least i
 others were at work. `ns_per_element_step` of `summary.json` is the wall time of the stepping loop with contact and all that the scene has,
 without set-up and file output, over elements and steps.
 
-The aim is 20 ns on one thread and 11 on two with everything on, and 3 s for the paper's run. It is not reached: contact takes 16 ns in a whole
-run, most of it in the search for nodes that slide over edges (a step reads 16 bytes of a node that no tool is near); the membrane 23, of which its
-arithmetic is a third and gathering, scattering and strips of yarn the rest; bending 17, bound by the nine points of each node's patch. The stable
-step is measured and no longer bounded: the paper's run takes 7,854 steps instead of 10,741, and 6.2 s instead of 8.6 on two threads.
+The aim is 20 ns on one thread and 11 on two with everything on, and 3 s for the paper's run. It is not reached: of a whole run the membrane takes
+20 ns, a third of it arithmetic and gathering, scattering and strips of yarn the rest; contact 15, half of it the search for nodes that slide over
+edges; bending 13. The stable step is measured and no longer bounded: the paper's run takes 7,854 steps, and 5.9 s on two threads.
 
-The table of whole runs is of the present program. Those of sizes, parts, the busy machine, kernels and of run time against error were measured
-before the step and contact became what they are: their steps were 1.37 times as many.
+The table of run time against error was measured with an older program, whose steps were 1.37 times as many; all others are of the present one,
+on a machine whose speed changed by a third while they were made.
 """
 PARTS = {"kernels": kernels, "whole": whole, "runs": sizes, "features": features, "busy": busy}
 
