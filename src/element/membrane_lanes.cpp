@@ -2,9 +2,7 @@
 #include "element/arcsine.hpp"
 #include "parallel/vector_clones.hpp"
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace towform {
 
@@ -13,6 +11,13 @@ namespace {
 inline MembraneCoefficients from(const MembraneCoefficients& c, int first)
 {
   return {c.warp_1 + first, c.warp_2 + first, c.weft_1 + first, c.weft_2 + first, c.area + first};
+}
+
+/// The part of a motion's yarn vector g_1 d1 + g_2 d2 along (x, y, z).
+inline double along(double x, double y, double z, double g_1, double g_2, const MembraneBatch& b, int i)
+{
+  return x * (g_1 * b.d1x[i] + g_2 * b.d2x[i]) + y * (g_1 * b.d1y[i] + g_2 * b.d2y[i]) +
+         z * (g_1 * b.d1z[i] + g_2 * b.d2z[i]);
 }
 
 inline void set_strain(BlockLanes& lanes, int entry, double strain, double area, double spring)
@@ -61,156 +66,6 @@ void shear_angles(const BlockLanes& __restrict lanes, int first, int count, doub
     const double sine = below < -1.0 ? -1.0 : below;
     b.sine[i] = sine;
     b.angle[i] = arcsine(sine) - reference_angle;
-  }
-}
-
-namespace {
-
-/// Elements whose place in the table is looked for.
-struct TableLanes {
-  static constexpr int size = MembraneBatch::size;
-  // NOLINTBEGIN(modernize-avoid-c-arrays)
-  alignas(64) double weight[size], trial[size], rate[size];
-  alignas(64) std::int64_t cell[size], unsettled[size];
-  alignas(64) std::uint64_t low[size], high[size]; ///< two forces each, in single precision
-  alignas(64) std::int32_t row[size], place[size];
-  std::int32_t index[size]; ///< in the batch
-  // NOLINTEND(modernize-avoid-c-arrays)
-};
-
-/// What vectors fill: loops over the last ones meet no rest. Lanes beyond the count hold any element's numbers.
-constexpr int whole_vectors(int count) { return (count + 7) / 8 * 8; }
-
-TOWFORM_VECTOR_CLONES
-void begin(double cells_per_radian, double modulus, const ShearLanes& old, const MembraneBatch& __restrict b, int count,
-           TableLanes& __restrict t)
-{
-  const double* __restrict old_angle = old.angle;
-  const double* __restrict old_force = old.force;
-  const double* __restrict old_rate = old.rate;
-  for (int i = 0; i < count; ++i) {
-    t.trial[i] = old_force[i] + modulus * (b.angle[i] - old_angle[i]);
-    const ShearTable::Row row = ShearTable::row_of(b.angle[i], cells_per_radian);
-    t.weight[i] = row.weight;
-    t.row[i] = row.first;
-    t.rate[i] = old_rate[i];
-    t.index[i] = i;
-  }
-  for (int i = count; i < whole_vectors(count); ++i) {
-    t.weight[i] = t.trial[i] = t.rate[i] = 0.0;
-    t.row[i] = 0;
-  }
-}
-
-TOWFORM_VECTOR_CLONES
-void find_cells(int count, TableLanes& __restrict t)
-{
-  for (int i = 0; i < whole_vectors(count); ++i) {
-    const std::int64_t cell = ShearTable::cell_of(t.rate[i]);
-    t.cell[i] = cell;
-    t.place[i] = t.row[i] + static_cast<std::int32_t>(cell);
-  }
-}
-
-void read_table(const float* forces, int count, TableLanes& t)
-{
-  for (int i = 0; i < whole_vectors(count); ++i) {
-    const float* low = forces + t.place[i];
-    std::memcpy(&t.low[i], low, sizeof t.low[i]);
-    std::memcpy(&t.high[i], low + ShearTable::rate_points, sizeof t.high[i]);
-  }
-}
-
-TOWFORM_VECTOR_CLONES
-void solve(double spring, int count, TableLanes& __restrict t)
-{
-  for (int i = 0; i < whole_vectors(count); ++i) {
-    const auto first = [](std::uint64_t pair) {
-      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(pair)));
-    };
-    const auto second = [](std::uint64_t pair) {
-      return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(pair >> 32)));
-    };
-    const ShearTable::Root root =
-        ShearTable::solve(first(t.low[i]), second(t.low[i]), first(t.high[i]), second(t.high[i]), t.weight[i],
-                          t.cell[i], t.rate[i], std::abs(t.trial[i]), spring);
-    t.rate[i] = root.rate;
-    t.unsettled[i] = root.unsettled;
-  }
-}
-
-/// The first look at the table tells most rates.
-TOWFORM_VECTOR_CLONES
-void take_all(int count, const TableLanes& __restrict t, MembraneBatch& __restrict b)
-{
-  for (int i = 0; i < count; ++i) b.rate[i] = t.rate[i];
-}
-
-void take_those_left(int count, const TableLanes& t, MembraneBatch& b)
-{
-  for (int i = 0; i < count; ++i) b.rate[t.index[i]] = t.rate[i];
-}
-
-/// Moves the unsettled ones, mostly few, to the front; returns how many.
-int keep_unsettled(int count, TableLanes& t)
-{
-  int left = 0;
-  for (int i = 0; i < count; ++i) {
-    if (t.unsettled[i] == 0) continue;
-    t.weight[left] = t.weight[i];
-    t.trial[left] = t.trial[i];
-    t.rate[left] = t.rate[i];
-    t.row[left] = t.row[i];
-    t.index[left] = t.index[i];
-    ++left;
-  }
-  return left;
-}
-
-TOWFORM_VECTOR_CLONES
-void finish(double modulus, double spring, const ShearLanes& old, int count, MembraneBatch& __restrict b)
-{
-  const double* __restrict old_angle = old.angle;
-  const double* __restrict old_force = old.force;
-  for (int i = 0; i < count; ++i) {
-    const double trial = old_force[i] + modulus * (b.angle[i] - old_angle[i]);
-    const double force = std::copysign(std::abs(trial) - spring * b.rate[i], trial);
-    b.force[i] = force;
-    b.lost[i] = std::abs(force) * b.rate[i];
-  }
-}
-
-} // namespace
-
-void update(const ViscousLaw& law, const ShearLanes& old, MembraneBatch& b, int count, double dt)
-{
-  TableLanes t;
-  const double spring = law.modulus * dt;
-  begin(law.surface->cells_per_radian(), law.modulus, old, b, count, t);
-  int left = count;
-  for (int round = 0; round < ViscousLaw::most_rounds && left > 0; ++round) {
-    find_cells(left, t);
-    read_table(law.surface->forces(), left, t);
-    solve(spring, left, t);
-    if (round == 0)
-      take_all(left, t, b);
-    else
-      take_those_left(left, t, b);
-    left = keep_unsettled(left, t);
-  }
-  finish(law.modulus, spring, old, count, b);
-}
-
-TOWFORM_VECTOR_CLONES
-void update(const ElasticLaw& law, const ShearLanes& old, MembraneBatch& __restrict b, int count, double dt)
-{
-  const double* __restrict old_angle = old.angle;
-  const ShearCurve curve = law.curves->curves.front();
-  const double at_joint = curve.force(ElasticLaw::joint);
-  for (int i = 0; i < count; ++i) {
-    b.rate[i] = std::abs(b.angle[i] - old_angle[i]) / dt;
-    b.force[i] = ElasticLaw::force(curve, at_joint, b.angle[i]);
-    b.lost[i] = 0.0;
   }
 }
 
@@ -336,12 +191,8 @@ void motion_strains(const MembraneCoefficients& c, double spring, const Membrane
   const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
-    const double warp = lanes.f1x[k] * (g.warp_1[i] * b.d1x[i] + g.warp_2[i] * b.d2x[i]) +
-                        lanes.f1y[k] * (g.warp_1[i] * b.d1y[i] + g.warp_2[i] * b.d2y[i]) +
-                        lanes.f1z[k] * (g.warp_1[i] * b.d1z[i] + g.warp_2[i] * b.d2z[i]);
-    const double weft = lanes.f2x[k] * (g.weft_1[i] * b.d1x[i] + g.weft_2[i] * b.d2x[i]) +
-                        lanes.f2y[k] * (g.weft_1[i] * b.d1y[i] + g.weft_2[i] * b.d2y[i]) +
-                        lanes.f2z[k] * (g.weft_1[i] * b.d1z[i] + g.weft_2[i] * b.d2z[i]);
+    const double warp = along(lanes.f1x[k], lanes.f1y[k], lanes.f1z[k], g.warp_1[i], g.warp_2[i], b, i);
+    const double weft = along(lanes.f2x[k], lanes.f2y[k], lanes.f2z[k], g.weft_1[i], g.weft_2[i], b, i);
     set_strain(lanes, k, warp, g.area[i], spring);
     set_strain(lanes, BlockLanes::size + k, weft, g.area[i], spring);
   }
@@ -356,12 +207,8 @@ void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLane
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const double sine = b.sine[i];
-    const double across1 = lanes.f2x[k] * (g.warp_1[i] * b.d1x[i] + g.warp_2[i] * b.d2x[i]) +
-                           lanes.f2y[k] * (g.warp_1[i] * b.d1y[i] + g.warp_2[i] * b.d2y[i]) +
-                           lanes.f2z[k] * (g.warp_1[i] * b.d1z[i] + g.warp_2[i] * b.d2z[i]);
-    const double across2 = lanes.f1x[k] * (g.weft_1[i] * b.d1x[i] + g.weft_2[i] * b.d2x[i]) +
-                           lanes.f1y[k] * (g.weft_1[i] * b.d1y[i] + g.weft_2[i] * b.d2y[i]) +
-                           lanes.f1z[k] * (g.weft_1[i] * b.d1z[i] + g.weft_2[i] * b.d2z[i]);
+    const double across1 = along(lanes.f2x[k], lanes.f2y[k], lanes.f2z[k], g.warp_1[i], g.warp_2[i], b, i);
+    const double across2 = along(lanes.f1x[k], lanes.f1y[k], lanes.f1z[k], g.weft_1[i], g.weft_2[i], b, i);
     const double turned = lanes.over_stretch[k] * (across1 - sine * lanes.strain[k]) +
                           lanes.over_stretch[BlockLanes::size + k] *
                               (across2 - sine * lanes.strain[BlockLanes::size + k]);

@@ -25,8 +25,8 @@ void visit_list(FieldVisitor& v, const std::string& name, std::vector<Struct>& l
 
 void visit(FieldVisitor& v, State& s)
 {
-  auto& [time, step, last_dt, position, velocity, force, strip_strain, sine, shear_angle, shear_force, shear_rate, block_force, shear_work,
-         shear_dissipated, yarn_damping, mass_damping] = s;
+  auto& [time, step, last_dt, position, velocity, force, strip_strain, sine, shear_angle, shear_force, shear_rate,
+         block_force, shear_work, shear_dissipated, yarn_damping, mass_damping] = s;
   v("time", time);
   v("step", step);
   v("last_dt", last_dt);
