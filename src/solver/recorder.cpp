@@ -115,7 +115,7 @@ void Recorder::frame(const System& s, Progress& progress)
   for (std::size_t i = 0; i < s.tools.size(); ++i)
     if (model_.tools[i].motion)
       forces += fmt::format("  {} {:.1f} N", model_.tools[i].name,
-                            dot(s.tools[i].reaction, model_.tools[i].direction));
+                            dot(s.tools[i].reaction, model_.tools[i].direction) + 0.0); // none is not -0
   for (std::size_t i = 0; i < s.boundaries.size(); ++i)
     if (model_.boundaries[i].motion)
       forces += fmt::format("  {} {:.2f} N", model_.boundaries[i].name,

@@ -31,7 +31,8 @@ std::string headline(const Case& c, const Model& model)
 std::string closing(const Summary& s, const std::filesystem::path& directory)
 {
   std::string phases;
-  for (const auto& [name, seconds] : s.phases_s) phases += fmt::format("  {} {:.2f}", name, seconds);
+  for (const auto& [name, seconds] : s.phases_s)
+    phases += fmt::format("{}{} {:.2f}", phases.empty() ? "" : ", ", name, seconds);
   std::string inertia;
   if (s.kinetic_to_internal_max > inertia_matters)
     inertia =
@@ -45,7 +46,7 @@ std::string closing(const Summary& s, const std::filesystem::path& directory)
                            "curvature and clearance\n",
                            100.0 * s.fibre_compression_over_half_percent, 100.0 * s.fibre_compression_max);
   return fmt::format(
-      "{} in {:.2f} s: {} steps, {:.1f} ns per element-step (s:{})\n"
+      "{} in {:.2f} s: {} steps, {:.1f} ns per element-step (in s: {})\n"
       "  shear angle    {:9.1f} deg   99 % of the elements below {:.1f} deg\n"
       "  draw-in x      {:9.1f} mm    y {:.1f} mm, corner {:.1f} mm\n"
       "  driving force  {:9.1f} N     the largest\n"
