@@ -132,9 +132,9 @@ void add_resume(CLI::App& app, ExitCode& code)
     watch_signals();
     options->controls.signal = &signal_seen;
     const RunOutcome outcome = resume(*options);
-    const bool was_done = outcome.summary.steps == 0; // nothing was left to do
-    finish(outcome, *options, !was_done && read_case(options->directory / "case.resolved.toml").output.report,
-           code);
+    // Nothing was left to do, unless the run was killed while it wrote its report.
+    const bool is_whole = outcome.summary.steps == 0 && exists(options->directory / "report.html");
+    finish(outcome, *options, !is_whole && read_case(options->directory / "case.resolved.toml").output.report, code);
   });
 }
 

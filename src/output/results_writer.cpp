@@ -146,8 +146,10 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const
     write_mesh(file, blank);
     (void)hdf5::create_group(file.id(), "frames", static_cast<unsigned>(expected_frames), 4);
     file.close();
-    std::error_code ignored; // an index of results that are about to be replaced
-    fs::remove(directory_ / "results.xdmf", ignored);
+    for (const char* of_earlier : {"results.xdmf", "summary.json", "report.html"}) { // results, about to be replaced
+      std::error_code ignored;
+      fs::remove(directory_ / of_earlier, ignored);
+    }
     fs::rename(temporary, path);
   } catch (const fs::filesystem_error& e) {
     fs::remove(temporary);

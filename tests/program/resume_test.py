@@ -94,6 +94,19 @@ class Resume(Interrupted):
         self.assertIn("the run is done", done.stdout)
         self.assertEqual((self.out / "results.h5").read_bytes(), before)
 
+    def test_what_lacks_its_report_gets_it(self):
+        self.assert_ends(self.run_case(), DONE)
+        report = self.out / "report.html"
+        report.rename(self.out / "report.html.new")  # killed before it got its name
+        self.assert_ends(self.resume(), DONE)
+        self.assertTrue(report.exists())
+        self.assertFalse((self.out / "report.html.new").exists())
+
+    def test_an_earlier_report_does_not_stay_beside_new_results(self):
+        self.assert_ends(self.run_case(), DONE)
+        self.assert_ends(self.run_case("--max-steps", 1), INTERRUPTED)
+        self.assertFalse((self.out / "report.html").exists())
+
     def test_the_log_is_one(self):
         self.stop()
         self.assert_ends(self.resume(), DONE)
