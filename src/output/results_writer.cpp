@@ -69,18 +69,22 @@ void write_provenance(const hdf5::File& file, const Provenance& provenance)
   hdf5::write_attribute(file.id(), "case", provenance.case_text);
   hdf5::write_attribute(file.id(), "resolved_case", provenance.resolved_case);
   hdf5::write_attribute(file.id(), "inputs", digest_lines(provenance));
-  // The first text stays behind as room in the header for the next one.
-  hdf5::write_attribute(file.id(), "next_status", std::string("running"));
-  hdf5::write_attribute(file.id(), "status", std::string("running"));
-  hdf5::rename_attribute(file.id(), "next_status", "status");
+}
+
+/// The root's last entry. The first text stays behind as room in its header for the next one, whose name must be no
+/// longer: a header that grows does so at the file's end, and cannot be read before the file knows that it is longer.
+void set_first_status(const hdf5::File& file, const std::string& status)
+{
+  for (const char* name : {"latest", "status"}) hdf5::write_attribute(file.id(), name, status);
+  hdf5::rename_attribute(file.id(), "latest", "status");
 }
 
 /// The new text is in the file before it replaces the old one.
 void set_status(hdf5::File& file, const std::string& status)
 {
-  hdf5::write_attribute(file.id(), "next_status", status);
+  hdf5::write_attribute(file.id(), "latest", status);
   file.flush();
-  hdf5::rename_attribute(file.id(), "next_status", "status");
+  hdf5::rename_attribute(file.id(), "latest", "status");
 }
 
 /// A program that has the file open to write, with the lock that HDF5 takes, and we would spoil it for each
@@ -145,6 +149,7 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, const
     write_provenance(file, provenance);
     write_mesh(file, blank);
     (void)hdf5::create_group(file.id(), "frames", static_cast<unsigned>(expected_frames), 4);
+    set_first_status(file, "running");
     file.close();
     for (const char* of_earlier : {"results.xdmf", "summary.json", "report.html"}) { // results, about to be replaced
       std::error_code ignored;

@@ -137,8 +137,8 @@ void Recorder::last_frame(const System& s, Progress& progress)
 
 void Recorder::finish()
 {
-  results_->finish(record_.summary.status == "done" ? "done" : record_.summary.message);
   write_summary(directory_, record_.summary);
+  results_->finish(record_.summary.status == "done" ? "done" : record_.summary.message); // last: resume looks at this
 }
 
 } // namespace towform

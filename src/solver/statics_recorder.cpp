@@ -215,8 +215,8 @@ void StaticsRecorder::frame(const StaticsState& s, Progress& progress)
 
 void StaticsRecorder::finish()
 {
-  results_->finish(record_.summary.status == "done" ? "done" : record_.summary.message);
   write_summary(directory_, record_.summary);
+  results_->finish(record_.summary.status == "done" ? "done" : record_.summary.message); // last: resume looks at this
 }
 
 } // namespace towform

@@ -39,6 +39,21 @@ TEST_F(Results, KeepACaseTextBeyondTheLimitOfAnHdf5Attribute)
   EXPECT_EQ(hdf5::text_attribute(open().id(), "status"), "running");
 }
 
+TEST_F(Results, HaveRoomForTheNextStatus)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  writer.append(dome::frame(mesh, 0.5));
+  // The text takes a heap of its own; a header that grew as well would lie beyond the end that the file knows of, for
+  // whoever reads it just then.
+  constexpr std::uintmax_t heap = 4096;
+  const std::uintmax_t size = std::filesystem::file_size(directory / "results.h5");
+  for (const char* status : {"interrupted", "running", "stopped at t = 1 ms", "done"}) {
+    writer.finish(status);
+    EXPECT_EQ((std::filesystem::file_size(directory / "results.h5") - size) % heap, 0U) << status;
+    EXPECT_EQ(hdf5::text_attribute(open().id(), "status"), status);
+  }
+}
+
 TEST_F(Results, HoldEveryFieldOfAFrameWithItsUnits)
 {
   const std::map<std::string, std::pair<std::string, hdf5::Shape>> expected = {
