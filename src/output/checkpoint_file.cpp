@@ -60,7 +60,8 @@ fs::path previous_checkpoint_path(const fs::path& directory) { return directory 
 
 void remove_checkpoints(const fs::path& directory)
 {
-  for (const fs::path& path : {checkpoint_path(directory), previous_checkpoint_path(directory)}) {
+  // The newest last: as long as it is there, a run goes on from it and tidies up at its end.
+  for (const fs::path& path : {previous_checkpoint_path(directory), checkpoint_path(directory)}) {
     std::error_code error;
     fs::remove(path, error);
     if (error) throw FileError(fmt::format("{}: cannot be removed: {}", path.string(), error.message()));
