@@ -50,6 +50,7 @@ struct TimeParameters {
   double mass_scaling = 1.0;  ///< uniform factor on the sheet's mass
   std::optional<double> step; ///< wanted step [s]: only elements that need it are made heavier
   double mass_damping = 0.0;  ///< force -a m v on every node [1/s]
+  bool subcycling = true;     ///< bending every few steps where that is enough
 };
 
 /// A point of a pressure over time.

@@ -253,25 +253,26 @@ void place_images(const Bending& bending, std::span<const Vec3> position, std::v
   for (std::size_t i = 0; i < images.size(); ++i) image[i] = images[i].position(position);
 }
 
-void assemble(const Bending& bending, std::span<const Vec3> block_force, std::span<Vec3> force)
+/// Adds the blocks' forces `times` over.
+void assemble(const Bending& bending, std::span<const Vec3> block_force, double times, std::span<Vec3> force)
 {
   const auto nodes = static_cast<std::ptrdiff_t>(force.size());
   parallel_ranges(nodes, [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) force[n] += bending.slots.sum(block_force, n);
+    for (auto n = begin; n < end; ++n) force[n] += times * bending.slots.sum(block_force, n);
   });
   const std::vector<MirrorImage>& images = bending.curvature.images;
   for (std::size_t i = 0; i < images.size(); ++i)
-    images[i].hand_on(bending.slots.sum(block_force, nodes + static_cast<std::ptrdiff_t>(i)), force);
+    images[i].hand_on(times * bending.slots.sum(block_force, nodes + static_cast<std::ptrdiff_t>(i)), force);
 }
 
 } // namespace
 
-void bending_forces(const Bending& bending, BendingState& b, State& s, double dt)
+void bending_forces(const Bending& bending, BendingState& b, State& s, double dt, int steps)
 {
   place_images(bending, s.position, b.image);
   parallel_each(static_cast<int>(bending.blocks.size()),
-                [&](int number) { bend_block(bending, number, s, dt, b); });
-  assemble(bending, b.block_force, s.force);
+                [&](int number) { bend_block(bending, number, s, steps * dt, b); });
+  assemble(bending, b.block_force, steps, s.force);
 }
 
 void linear_bending_forces(const Bending& bending, double factor, std::span<const Vec3> position,
@@ -305,7 +306,7 @@ void linear_bending_forces(const Bending& bending, double factor, std::span<cons
     }
     w.give(bending, block, block_force);
   });
-  assemble(bending, block_force, force);
+  assemble(bending, block_force, 1.0, force);
 }
 
 double bending_energy(const Bending& bending, const BendingState& b)

@@ -53,8 +53,9 @@ struct BendingState {
 /// Sizes a state for a sheet at `position`.
 void start(const Bending& bending, std::span<const Vec3> position, BendingState& b);
 
-/// Adds the bending forces at x_n to s.force.
-void bending_forces(const Bending& bending, BendingState& b, State& s, double dt);
+/// Adds the bending forces at x_n to s.force, as many times as `steps` [dt each] have passed since they were last added:
+/// the impulse of them all.
+void bending_forces(const Bending& bending, BendingState& b, State& s, double dt, int steps = 1);
 
 /// Adds the forces -K u of small motions u [m] about a shape to `force`, K being that of the laws' largest slopes times
 /// `factor` at the shape's normals; moments that turn with the normals are left out. `block_force` is room to work in.

@@ -67,6 +67,13 @@ std::vector<double> lumped(const Membrane& membrane, const std::vector<double>& 
   return mass;
 }
 
+/// [rad/s]
+double fastest_bending(const Bending& bending, std::span<const double> mass)
+{
+  const std::vector<double> squares = bending.frequency_bound(mass);
+  return std::sqrt(*std::max_element(squares.begin(), squares.end()));
+}
+
 /// Damping times from what is critical for the fastest waves, of the sheet before selective mass scaling.
 void set_damping(const MaterialParameters& material, std::span<const Vec3> flat, Model& model)
 {
@@ -75,11 +82,8 @@ void set_damping(const MaterialParameters& material, std::span<const Vec3> flat,
     model.membrane.damping_time =
         material.yarn_damping *
         StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus).at(flat, near);
-  for (Bending& bending : model.bending) {
-    const auto squares = bending.frequency_bound(model.mass);
-    bending.damping_time =
-        material.bending_damping * 2.0 / std::sqrt(*std::max_element(squares.begin(), squares.end()));
-  }
+  for (Bending& bending : model.bending)
+    bending.damping_time = material.bending_damping * 2.0 / fastest_bending(bending, model.mass);
 }
 
 /// Looks at the flat sheet's stable step and makes elements heavier until it is `wanted` [s] (0: as it is). Heavier elements change what their
@@ -96,6 +100,20 @@ void scale_masses(double wanted, const State& flat, Model& model)
     for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
     model.mass = lumped(model.membrane, model.element_mass, flat.position.size());
   }
+}
+
+/// How many steps one impulse of bending serves: so few that neither the fastest bending wave nor, of a sheet between two
+/// tools, the contact springs go through much of a period meanwhile (half a period and impulses feed them). Grips report
+/// a force at every step, and want bending's part of it.
+int bending_steps(const Case& c, const Model& model)
+{
+  constexpr double most = 4.0, bending_radians = 0.5, contact_radians = 2.0;
+  if (!c.time.subcycling || !c.boundaries.empty()) return 1;
+  double steps = most;
+  for (const Bending& bending : model.bending)
+    steps = std::min(steps, bending_radians / (fastest_bending(bending, model.mass) * model.first_step));
+  if (!model.tools.empty()) steps = std::min(steps, contact_radians / std::sqrt(2.0 * c.contact.penalty));
+  return std::max(1, static_cast<int>(steps));
 }
 
 /// Masses, steps and contact stiffnesses: what depends on one another.
@@ -119,6 +137,7 @@ void set_inertia(const Case& c, Model& model)
     lightest = std::min(lightest, model.element_mass[e] / membrane.area[e]);
   model.wave_speed = std::sqrt(membrane.yarn.stiffness / lightest);
   model.first_step = model.step_factor * model.first_look.step;
+  model.bending_steps = bending_steps(c, model);
 
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
     model.contacts.emplace_back(model.tools[i], static_cast<int>(i), 0.5 * c.blank.thickness, c.contact.penalty,
