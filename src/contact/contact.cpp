@@ -98,7 +98,9 @@ std::optional<FacetNeighbours::Nearest> where_it_was(const Meeting& m, const Vec
 FacetNeighbours::Nearest nearest(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
-  const FacetNeighbours::Nearest found = m.contact.neighbours->nearest(p, planes.facet[node]);
+  // At the start the node before, of the same block, tells best where to begin.
+  const bool follows = planes.facet[node] < 0 && node % block_size > 0;
+  const FacetNeighbours::Nearest found = m.contact.neighbours->nearest(p, planes.facet[follows ? node - 1 : node]);
   set_anchor(planes, node, p);
   planes.facet[node] = found.point.facet;
   planes.rival[node] = found.rival;

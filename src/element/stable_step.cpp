@@ -22,14 +22,61 @@ double largest(const std::vector<double>& v)
   return v.empty() ? 0.0 : *std::max_element(v.begin(), v.end());
 }
 
+/// What the strips' mean strains see of the nodes: their displacements along one of the yarns.
+class StripParts {
+public:
+  struct Part {
+    int component;   ///< 2 node + family
+    double gradient; ///< of the mean strain [1/m]
+  };
+
+  explicit StripParts(const Membrane& membrane)
+  {
+    first_.push_back(0);
+    for (std::size_t i = 0; i < membrane.strips.size(); ++i) {
+      const auto begin = static_cast<std::ptrdiff_t>(parts_.size());
+      for (const YarnEntry entry : membrane.strips.entries_of(i)) {
+        const int e = entry / 2, family = entry % 2;
+        const auto gradients = corner_gradients(membrane.gradients[e]);
+        const double weight = membrane.area[e] / membrane.strips.area[i];
+        for (int c = 0; c < 3; ++c) {
+          const int component = 2 * membrane.triangles[e][c] + family;
+          const double gradient = weight * (family == 0 ? gradients[c].warp : gradients[c].weft);
+          const auto same = std::find_if(parts_.begin() + begin, parts_.end(),
+                                         [component](const Part& p) { return p.component == component; });
+          if (same == parts_.end())
+            parts_.push_back({component, gradient});
+          else
+            same->gradient += gradient;
+        }
+      }
+      first_.push_back(static_cast<int>(parts_.size()));
+    }
+  }
+  [[nodiscard]] std::span<const Part> of(std::size_t strip) const
+  {
+    return {parts_.data() + first_[strip], parts_.data() + first_[strip + 1]};
+  }
+
+private:
+  std::vector<Part> parts_; // by strip
+  std::vector<int> first_;
+};
+
 } // namespace
+
+template <class Work>
+void StepBound::each_node(std::size_t strip, const Work& work) const
+{
+  for (const YarnEntry entry : membrane_.strips.entries_of(strip))
+    for (const int n : membrane_.triangles[entry / 2]) work(n);
+}
 
 StepBound::StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus,
                      std::span<const Bending> bending)
     : membrane_(membrane), element_mass_(element_mass.begin(), element_mass.end()),
       shear_modulus_(shear_modulus)
 {
-  find_parts();
   share_masses();
   if (bending.empty()) return;
   const std::size_t nodes = membrane.node_area.size();
@@ -44,34 +91,12 @@ StepBound::StepBound(const Membrane& membrane, std::span<const double> element_m
   }
 }
 
-void StepBound::find_parts()
-{
-  first_.push_back(0);
-  for (std::size_t i = 0; i < membrane_.strips.size(); ++i) {
-    const auto begin = static_cast<std::ptrdiff_t>(parts_.size());
-    for (const YarnEntry entry : membrane_.strips.entries_of(i)) {
-      const int e = entry / 2, family = entry % 2;
-      const auto gradients = corner_gradients(membrane_.gradients[e]);
-      const double weight = membrane_.area[e] / membrane_.strips.area[i];
-      for (int c = 0; c < 3; ++c) {
-        const int component = 2 * membrane_.triangles[e][c] + family;
-        const double gradient = weight * (family == 0 ? gradients[c].warp : gradients[c].weft);
-        const auto same = std::find_if(parts_.begin() + begin, parts_.end(),
-                                       [component](const Part& p) { return p.component == component; });
-        if (same == parts_.end())
-          parts_.push_back({component, gradient});
-        else
-          same->gradient += gradient;
-      }
-    }
-    first_.push_back(static_cast<int>(parts_.size()));
-  }
-}
-
 /// Divides every node's mass in proportion to the strips' need, which follows from the division: a few
 /// rounds.
 void StepBound::share_masses()
 {
+  using Part = StripParts::Part;
+  const StripParts parts(membrane_);
   const std::size_t strips = membrane_.strips.size();
   std::vector<double> mass(2 * membrane_.node_area.size(), 0.0), claims(mass.size());
   for (std::size_t e = 0; e < element_mass_.size(); ++e)
@@ -83,10 +108,10 @@ void StepBound::share_masses()
   for (int round = 0; round < rounds; ++round) {
     std::fill(claims.begin(), claims.end(), 0.0);
     for (std::size_t i = 0; i < strips; ++i)
-      for (const Part& p : parts_of(i)) claims[p.component] += weight[i] * std::abs(p.gradient);
+      for (const Part& p : parts.of(i)) claims[p.component] += weight[i] * std::abs(p.gradient);
     for (std::size_t i = 0; i < strips; ++i) {
       double sum = 0.0; // of gradient^2 over the share of mass, weight |gradient| / claims of it
-      for (const Part& p : parts_of(i))
+      for (const Part& p : parts.of(i))
         sum += std::abs(p.gradient) * claims[p.component] / (weight[i] * mass[p.component]);
       strip_frequency_[i] = membrane_.yarn.stiffness * membrane_.strips.area[i] * sum;
     }
@@ -134,7 +159,7 @@ StepBound::Frequencies StepBound::frequencies(const State& s) const
   parallel_ranges(static_cast<std::ptrdiff_t>(f.strip.size()), [&](auto begin, auto end) {
     for (auto i = begin; i < end; ++i) {
       double sine = 0.0;
-      for (const Part& p : parts_of(static_cast<std::size_t>(i))) sine = std::max(sine, steepest[p.component / 2]);
+      each_node(static_cast<std::size_t>(i), [&](int n) { sine = std::max(sine, steepest[n]); });
       f.strip[i] *= 1.0 + sine;
     }
   });
@@ -170,8 +195,7 @@ std::vector<double> StepBound::mass_factors(const State& s, double wanted) const
   const double bending_limit = allowed * bending / sum;
   std::vector<double> node(membrane_.node_area.size(), 1.0);
   for (std::size_t i = 0; i < f.strip.size(); ++i)
-    for (const Part& p : parts_of(i))
-      node[p.component / 2] = std::max(node[p.component / 2], f.strip[i] / strip_limit);
+    each_node(i, [&](int n) { node[n] = std::max(node[n], f.strip[i] / strip_limit); });
   std::vector<double> factor(element_mass_.size());
   for (std::size_t e = 0; e < factor.size(); ++e) {
     factor[e] = std::max(1.0, f.element[e] / element_limit);

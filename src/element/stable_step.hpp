@@ -34,20 +34,13 @@ public:
   [[nodiscard]] std::vector<double> mass_factors(const State& s, double wanted) const;
 
 private:
-  /// What a strip's mean strain sees of a node: its displacement along one of the yarns.
-  struct Part {
-    int component;   ///< 2 node + family
-    double gradient; ///< of the mean strain [1/m]
-  };
   struct Frequencies {
     std::vector<double> strip, element; ///< omega^2 [1/s^2]
   };
-  void find_parts();
   void share_masses();
-  [[nodiscard]] std::span<const Part> parts_of(std::size_t strip) const
-  {
-    return {parts_.data() + first_[strip], parts_.data() + first_[strip + 1]};
-  }
+  /// work(node) for the nodes of a strip's elements, some of them several times.
+  template <class Work>
+  void each_node(std::size_t strip, const Work& work) const;
   [[nodiscard]] double element_frequency(const State& s, std::size_t element) const;
   [[nodiscard]] Frequencies frequencies(const State& s) const;
   [[nodiscard]] double step_of(double in_plane, double of_bending) const;
@@ -55,8 +48,6 @@ private:
   const Membrane& membrane_;
   std::vector<double> element_mass_;
   double shear_modulus_;
-  std::vector<Part> parts_; // by strip
-  std::vector<int> first_;
   std::vector<double> strip_frequency_; // omega^2 of a strip of square yarns [1/s^2]
   std::vector<double> bending_;         ///< n, omega^2 [1/s^2]; empty without bending
   double bending_damping_time_ = 0.0;

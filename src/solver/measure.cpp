@@ -1,4 +1,5 @@
 #include "solver/measure.hpp"
+#include "parallel/parallel.hpp"
 #include "solver/clearance.hpp"
 #include <algorithm>
 #include <cmath>
@@ -17,23 +18,31 @@ void sheet_fields(const Model& model, const State& s, Frame& f)
   const ShearCurves& curves = *model.material.curves;
   const double scale = velocity_scale(model.material);
   const Membrane& membrane = model.membrane;
+  const std::vector<int>& strip = membrane.strips.of;
   // The sheet keeps its volume: its area grows by lambda1 lambda2 cos(theta) over that of the reference.
   const double reference_cosine = std::sqrt(1.0 - membrane.reference_sine * membrane.reference_sine);
-  for (std::size_t e = 0; e < membrane.triangles.size(); ++e) {
-    const double rate = s.shear_rate[e];
-    f.shear_angle.push_back(s.shear_angle[e] * to_degrees);
-    f.shear_rate.push_back(rate);
-    f.curve_index.push_back(curves.next_higher(rate * scale));
-    f.curve_position.push_back(curves.position(rate * scale));
-    f.shear_force.push_back(s.shear_force[e]);
-    const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
-    f.fibre_1.push_back(y.f1);
-    f.fibre_2.push_back(y.f2);
-    const std::vector<int>& strip = membrane.strips.of;
-    f.fibre_strain.push_back({s.strip_strain[strip[2 * e]], s.strip_strain[strip[2 * e + 1]]});
-    f.thickness.push_back(membrane.thickness * reference_cosine /
-                          (y.lambda1 * y.lambda2 * std::sqrt(1.0 - s.sine[e] * s.sine[e])));
-  }
+  const std::size_t elements = membrane.triangles.size();
+  for (std::vector<double>* field : {&f.shear_angle, &f.shear_rate, &f.curve_position, &f.shear_force, &f.thickness})
+    field->resize(elements);
+  f.curve_index.resize(elements);
+  for (std::vector<Vec3>* field : {&f.fibre_1, &f.fibre_2}) field->resize(elements);
+  f.fibre_strain.resize(elements);
+  parallel_ranges(static_cast<std::ptrdiff_t>(elements), [&](auto begin, auto end) {
+    for (auto e = begin; e < end; ++e) {
+      const double rate = s.shear_rate[e];
+      f.shear_angle[e] = s.shear_angle[e] * to_degrees;
+      f.shear_rate[e] = rate;
+      f.curve_index[e] = curves.next_higher(rate * scale);
+      f.curve_position[e] = curves.position(rate * scale);
+      f.shear_force[e] = s.shear_force[e];
+      const YarnVectors y(membrane.triangles[e], membrane.gradients[e], s.position);
+      f.fibre_1[e] = y.f1;
+      f.fibre_2[e] = y.f2;
+      f.fibre_strain[e] = {s.strip_strain[strip[2 * e]], s.strip_strain[strip[2 * e + 1]]};
+      f.thickness[e] = membrane.thickness * reference_cosine /
+                       (y.lambda1 * y.lambda2 * std::sqrt(1.0 - s.sine[e] * s.sine[e]));
+    }
+  });
 }
 
 /// The outline without what lies on the mirror planes.

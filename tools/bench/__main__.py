@@ -40,6 +40,7 @@ def main():
     if "pareto" in wanted:
         rows = [row for case in pareto.CASES for row in pareto.measure(case, min(options.repeats, 2))]
         page.write_table("pareto", rows)
+        page.write_table("convergence", [row for case in pareto.CASES for row in pareto.convergence(case)])
     if page.read_table("pareto"):
         pareto.plot(page.read_table("pareto"), ROOT / "docs/images/pareto.png")
     page.write(TEXT)

@@ -57,8 +57,8 @@ def peak_share(kernels):
 
 def write(text):
     """The page from the tables as they stand; `text` is the part that a person wrote."""
-    kernels, runs, features, busy, whole, pareto = (
-        read_table(n) for n in ("kernels", "runs", "features", "busy", "whole", "pareto"))
+    kernels, runs, features, busy, whole, pareto, convergence = (
+        read_table(n) for n in ("kernels", "runs", "features", "busy", "whole", "pareto", "convergence"))
     parts = [text.format(machine=machine())]
     if whole:
         parts += ["## Whole runs\n", table(("run", "elements", "steps", "ns per element-step, least", "median", "wall s, least", *STEPPING, "output"),
@@ -66,8 +66,8 @@ def write(text):
                     *phases(r, (*STEPPING, "output"))) for r in whole])]
     if runs:
         parts += ["## Sizes and threads\n", "The double dome with everything on, bending too; the first steps of the press.\n",
-                  table(("elements", "threads", "ns per element-step, least", "median", *STEPPING),
-                        [(r["elements"], r["threads"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", *phases(r)) for r in runs])]
+                  table(("elements", "threads", "ns per element-step, least", "median", *STEPPING, "bytes per element"),
+                        [(r["elements"], r["threads"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", *phases(r), f"{r['bytes']:.0f}") for r in runs])]
     if features:
         parts += ["## What each part costs\n", "One thread, the first 1,500 steps of the double dome.\n",
                   table(("what", "ns per element-step, least", "median", "over everything", *STEPPING, "output"),
@@ -89,9 +89,18 @@ def write(text):
                       table(("variant", "wall s", "RMS deg", "99th percentile deg", "kinetic over internal"),
                             [(r["variant"], f"{r['wall_s']:.2f}", f"{r['rms_deg']:.2f}", f"{r['p99_deg']:.2f}",
                               f"{r['kinetic_to_internal']:.2f}") for r in rows])]
+    if convergence:
+        parts += ["### What the reference is worth\n", CONVERGENCE,
+                  table(("case", "elements", "with bending, deg RMS", "without, deg RMS"),
+                        [(r["case"].replace("_", " "), f"{r['elements']} and {2 * r['elements']}", f"{r['with_deg']:.2f}",
+                          f"{r['without_deg']:.2f}") for r in convergence])]
     PAGE.write_text("\n".join(parts))
 
 
-PARETO = """Quarter models on two threads. Error: shear angle at points 2.5 mm apart on the flat blank, beside that of 102,400 elements of the
-whole sheet at the case's own speed, mass and law. All variants are in `docs/benchmarks/pareto.csv`.
+PARETO = """Quarter models on two threads, with bending (1 mN m, assumed). Error: shear angle at points 2.5 mm apart on the flat blank, beside
+that of 102,400 elements of the whole sheet at the case's own speed, mass and law. All variants are in `docs/benchmarks/pareto.csv`.
+"""
+CONVERGENCE = """Shear angles of two meshes, one with twice the elements of the other, at the same points. A sheet that resists bending has an
+answer that finer meshes approach. One that does not folds where it is pressed along its yarns, at the size of an element: the finer the
+mesh, the finer the folds, and no mesh is a reference for another.
 """

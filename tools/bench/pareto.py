@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import LogFormatter  # noqa: E402
 from matplotlib.tri import LinearTriInterpolator, Triangulation  # noqa: E402
 
+from bench.runs import BENDING  # noqa: E402
 from bench.timing import run_once  # noqa: E402
 from towform_results import Results  # noqa: E402
 
@@ -24,8 +25,8 @@ QUIET = ("gates.kinetic_to_internal=1e9", "gates.penetration=1 mm", "gates.energ
          "output.frames=1")
 
 
-def settings(case, elements, mass=1, speed=1, law="viscous", curves=None):
-    more = () if curves is None else (f"material.curve_selection={curves}",)
+def settings(case, elements, mass=1, speed=1, law="viscous", curves=None, bending=True):
+    more = ((BENDING,) if bending else ()) + (() if curves is None else (f"material.curve_selection={curves}",))
     return ("blank.symmetry=quarter", f"blank.elements={elements}", f"time.mass_scaling={mass}",
             f"time.end={CASES[case] / speed} ms", f"material.law={law}", *more, *QUIET)
 
@@ -59,6 +60,26 @@ def places(results, pitch=2.5e-3):
     """Points [m] a pitch apart over the flat quarter, an edge of the coarsest mesh away from its border."""
     low, high = results.reference[:, :2].min(axis=0) + 8e-3, results.reference[:, :2].max(axis=0) - 8e-3
     return np.array(list(itertools.product(np.arange(low[0], high[0], pitch), np.arange(low[1], high[1], pitch))))
+
+
+def convergence(case, threads=2):
+    """Rows: [deg RMS] between the shear angles of a mesh and of one of twice its elements, with bending and without."""
+    apart = {}
+    with tempfile.TemporaryDirectory(prefix="towform_pareto_") as scratch:
+        for bending in (True, False):
+            coarse = points = None
+            for elements in (*SIZES, 2 * SIZES[-1]):
+                run_once(case, settings(case, elements, bending=bending), threads, directory=Path(scratch))
+                results = Results(Path(scratch) / "run")
+                points = places(results) if points is None else points
+                fine = shear_field(results)(points[:, 0], points[:, 1])
+                if coarse is not None:
+                    apart[elements // 2, bending] = float(np.sqrt(np.ma.mean((fine - coarse) ** 2)))
+                    print(f"  {case}, {elements // 2} and {elements} elements, {'with' if bending else 'without'} bending: "
+                          f"{apart[elements // 2, bending]:.2f} deg", flush=True)
+                coarse = fine
+    return [{"case": case, "elements": elements, "with_deg": apart[elements, True], "without_deg": apart[elements, False]}
+            for elements in SIZES]
 
 
 def measure(case, repeats, threads=2):

@@ -23,7 +23,7 @@ def sizes(repeats):
         for threads, (name, samples) in zip((1, 2), interleaved(jobs, repeats).items()):
             best = least(samples)
             rows.append({"elements": best.summary["elements"], "threads": threads, "steps": best.summary["steps"],
-                         "ns_min": best.ns, "ns_median": median(samples),
+                         "ns_min": best.ns, "ns_median": median(samples), "bytes": best.memory / best.summary["elements"],
                          **{f"{phase}_ns": best.phases[phase] for phase in STEPPING}})
     return rows
 
@@ -31,6 +31,7 @@ def sizes(repeats):
 FEATURES = {
     "everything": (BENDING,),
     "no bending": (),
+    "bending at every step: subcycling = false": (BENDING, "time.subcycling=false"),
     "no rate: law = elastic": (BENDING, "material.law=elastic"),
     "paper's law: law = incremental": (BENDING, "material.law=incremental"),
     "no strips of yarn: yarn_strain = triangle": (BENDING, "material.yarn_strain=triangle"),
@@ -72,8 +73,9 @@ def busy(repeats):
 
 def whole(repeats):
     """Rows: a whole run from start to end, seconds, with its output."""
-    jobs = {f"{case}, {threads} threads": dict(case=case, threads=threads)
-            for case in ("double_dome", "hemisphere") for threads in (1, 2)}
+    jobs = {f"{case}{what}, {threads} threads": dict(case=case, settings=settings, threads=threads)
+            for case in ("double_dome", "hemisphere") for what, settings in (("", ()), (" with bending", (BENDING,)))
+            for threads in (1, 2)}
     rows = []
     for name, s in interleaved(jobs, repeats).items():
         best = least(s)

@@ -15,12 +15,13 @@ STEPPING = ("advance", "membrane", "assembly", "bending", "contact", "stable_ste
 
 @dataclass(frozen=True)
 class Sample:
-    """One run: [ns per element-step], whole and by phase, [s] from start to end, and its summary."""
+    """One run: [ns per element-step], whole and by phase, [s] from start to end, its summary, and the most memory it had [bytes]."""
 
     ns: float
     phases: dict
     wall: float
     summary: dict
+    memory: int
 
 
 def run_once(case, settings=(), threads=1, steps=None, directory=None):
@@ -31,13 +32,17 @@ def run_once(case, settings=(), threads=1, steps=None, directory=None):
         command += [word for s in ("output.report=false", *settings) for word in ("--set", s)]
         if steps:
             command += ["--max-steps", str(steps)]
-        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-        if done.returncode not in (0, 75):
-            raise RuntimeError(f"{' '.join(map(str, command))}: exit code {done.returncode}: {done.stderr}{done.stdout}")
+        said = Path(scratch) / "said.txt"
+        with open(said, "w") as file:
+            child = subprocess.Popen(command, cwd=ROOT, stdout=file, stderr=subprocess.STDOUT)
+            _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+        if child.returncode not in (0, 75):
+            raise RuntimeError(f"{' '.join(map(str, command))}: exit code {child.returncode}: {said.read_text()}")
         summary = json.loads((out / "summary.json").read_text())
     element_steps = summary["elements"] * summary["steps"]
     phases = {name: 1e9 * seconds / element_steps for name, seconds in summary["phases_s"].items()}
-    return Sample(summary["ns_per_element_step"], phases, summary["wall_time_s"], summary)
+    return Sample(summary["ns_per_element_step"], phases, summary["wall_time_s"], summary, 1024 * usage.ru_maxrss)
 
 
 def interleaved(jobs, repeats):
