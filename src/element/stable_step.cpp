@@ -154,8 +154,12 @@ StepBound::Frequencies StepBound::frequencies(const State& s) const
   Frequencies f{strip_frequency_, std::vector<double>(element_mass_.size())};
   std::vector<double> steepest(membrane_.node_area.size(),
                                std::abs(membrane_.reference_sine)); // |sine| round a node
-  for (std::size_t e = 0; e < s.sine.size(); ++e)
-    for (const int n : membrane_.triangles[e]) steepest[n] = std::max(steepest[n], std::abs(s.sine[e]));
+  if (!s.sine.empty()) // else the flat sheet
+    parallel_ranges(static_cast<std::ptrdiff_t>(steepest.size()), [&](auto begin, auto end) {
+      for (auto n = begin; n < end; ++n)
+        for (const int e : membrane_.elements.of(static_cast<std::size_t>(n)))
+          steepest[n] = std::max(steepest[n], std::abs(s.sine[e]));
+    });
   parallel_ranges(static_cast<std::ptrdiff_t>(f.strip.size()), [&](auto begin, auto end) {
     for (auto i = begin; i < end; ++i) {
       double sine = 0.0;

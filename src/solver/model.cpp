@@ -130,8 +130,8 @@ void set_inertia(const Case& c, Model& model)
       std::min(c.time.safety * std::sqrt(1.0 - 0.5 * c.contact.penalty), std::sqrt(c.contact.room()));
   set_damping(c.material, sheet.position, model);
   scale_masses(c.time.step.value_or(0.0) / model.step_factor, sheet, model);
-  model.added_mass_fraction =
-      std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0;
+  model.added_mass_fraction = std::max( // not less than none in the last digit
+      0.0, std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0);
   double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
   for (std::size_t e = 0; e < membrane.area.size(); ++e)
     lightest = std::min(lightest, model.element_mass[e] / membrane.area[e]);

@@ -46,7 +46,7 @@ class Usage(Program):
         wrong = {
             "nothing": (),
             "an unknown command": ("press",),
-            "an unknown option": ("run", self.case, "--fast"),
+            "an unknown option": ("run", self.case, "--faster-still"),
             "no case": ("run",),
             "two cases": ("check", self.case, self.case),
             "no threads": ("run", self.case, "--threads", 0),
@@ -298,6 +298,17 @@ class Check(Program):
         done = self.towform("check", self.case, "--set", "blank.elements=288", "--set", "title=Finer")
         self.assert_ends(done, DONE)
         self.assertIn("Finer: 288 elements", done.stdout)
+
+    def test_fast_makes_the_sheet_heavier_unless_it_is_told_how_heavy(self):
+        def added(*arguments):
+            done = self.towform("check", self.case, *arguments)
+            self.assert_ends(done, DONE)
+            return float(re.search(r"added by mass scaling ([\d.]+) %", done.stdout)[1])
+
+        self.assertEqual(added(), 0)
+        self.assertEqual(added("--fast"), 900)
+        self.assertEqual(added("--fast", "--set", "time.mass_scaling=2"), 100)
+        self.assertEqual(added("--fast", "--set", "time.mass_scaling=20"), 1900)
 
     def test_the_cases_that_come_with_it_are_good(self):
         for case in sorted((SOURCE / "cases").glob("*.toml")):
