@@ -165,12 +165,7 @@ public:
   NodeBlock(State& s, std::span<const double> mass, int first_node)
       : first(first_node), count(std::min(block_size, static_cast<int>(s.position.size()) - first)), s_(s), mass_(mass)
   {
-    for (int i = 0; i < count; ++i) {
-      const Vec3& x = s.position[first + i];
-      lanes.x[i] = x.x;
-      lanes.y[i] = x.y;
-      lanes.z[i] = x.z;
-    }
+    split(s.position.data() + first, count, lanes.x, lanes.y, lanes.z);
     fill_up({lanes.x, lanes.y, lanes.z});
   }
   /// Velocities and masses, and forces that begin at nothing.
@@ -178,20 +173,15 @@ public:
   {
     if (moving_) return;
     moving_ = true;
-    for (int i = 0; i < count; ++i) {
-      const Vec3& v = s_.velocity[first + i];
-      lanes.vx[i] = v.x;
-      lanes.vy[i] = v.y;
-      lanes.vz[i] = v.z;
-      lanes.mass[i] = mass_[first + i];
-      lanes.fx[i] = lanes.fy[i] = lanes.fz[i] = 0.0;
-    }
+    split(s_.velocity.data() + first, count, lanes.vx, lanes.vy, lanes.vz);
+    std::copy_n(mass_.data() + first, count, lanes.mass);
+    for (double* force : {lanes.fx, lanes.fy, lanes.fz}) std::fill_n(force, count, 0.0);
     fill_up({lanes.vx, lanes.vy, lanes.vz, lanes.mass, lanes.fx, lanes.fy, lanes.fz});
   }
   void give_forces()
   {
     if (!moving_) return;
-    for (int i = 0; i < count; ++i) s_.force[first + i] += {lanes.fx[i], lanes.fy[i], lanes.fz[i]};
+    add(lanes.fx, lanes.fy, lanes.fz, count, s_.force.data() + first);
   }
 
   NodeLanes lanes; ///< filled up to whole groups

@@ -5,6 +5,36 @@
 
 namespace towform {
 
+static_assert(sizeof(Vec3) == 3 * sizeof(double));
+
+TOWFORM_VECTOR_CLONES
+void split(const Vec3* from, int count, double* x, double* y, double* z)
+{
+  const double* __restrict in_a_row = &from->x;
+  double* __restrict to_x = x;
+  double* __restrict to_y = y;
+  double* __restrict to_z = z;
+  for (int i = 0; i < count; ++i) {
+    to_x[i] = in_a_row[3 * i];
+    to_y[i] = in_a_row[3 * i + 1];
+    to_z[i] = in_a_row[3 * i + 2];
+  }
+}
+
+TOWFORM_VECTOR_CLONES
+void add(const double* x, const double* y, const double* z, int count, Vec3* to)
+{
+  const double* __restrict from_x = x;
+  const double* __restrict from_y = y;
+  const double* __restrict from_z = z;
+  double* __restrict in_a_row = &to->x;
+  for (int i = 0; i < count; ++i) {
+    in_a_row[3 * i] += from_x[i];
+    in_a_row[3 * i + 1] += from_y[i];
+    in_a_row[3 * i + 2] += from_z[i];
+  }
+}
+
 TOWFORM_VECTOR_CLONES
 int look(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shift, int count, std::int32_t* marks)
 {

@@ -18,6 +18,10 @@ struct NodeLanes {
   alignas(64) Lanes fx, fy, fz; ///< sum of the tools' forces [N]
 };
 
+/// Components of `count` vectors side by side, and the sum back into vectors.
+void split(const Vec3* from, int count, double* x, double* y, double* z);
+void add(const double* x, const double* y, const double* z, int count, Vec3* to);
+
 /// The part of a contact's state that belongs to a block (contact/contact.hpp).
 struct ContactLanes {
   double *normal_x, *normal_y, *normal_z, *offset;

@@ -1,5 +1,6 @@
 #include "solver/step.hpp"
 #include "parallel/parallel.hpp"
+#include "solver/kick_and_drift.hpp"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -9,29 +10,42 @@ namespace towform {
 
 namespace {
 
+/// Raises `most`; a maximum is the same in any order.
+void raise(std::atomic<double>& most, double value)
+{
+  double known = most.load();
+  while (known < value && !most.compare_exchange_weak(known, value)) {
+  }
+}
+
+/// With drag, whose work is counted; as kick_and_drift otherwise.
+double move_through_drag(const Model& model, State& s, std::ptrdiff_t begin, std::ptrdiff_t end, double kick, double dt)
+{
+  const double drag = 0.5 * model.mass_damping * kick;
+  double fastest = 0.0;
+  for (auto n = begin; n < end; ++n) {
+    const Vec3 before = s.velocity[n];
+    const Vec3 after = (1.0 / (1.0 + drag)) * ((1.0 - drag) * before + (kick / model.mass[n]) * s.force[n]);
+    s.mass_damping[n] += model.mass_damping * model.mass[n] * 0.25 * norm_squared(before + after) * kick;
+    s.velocity[n] = after;
+    s.position[n] += dt * after;
+    const double squared = norm_squared(after);
+    fastest = std::max(fastest, std::isfinite(squared) ? squared : HUGE_VAL);
+  }
+  return fastest;
+}
+
 /// v_(n+1/2) from the forces at x_n, then x_(n+1). Returns the largest nodal speed; infinite once one is not
 /// finite.
 double advance_sheet(const Model& model, State& s, double dt)
 {
-  const auto nodes = static_cast<std::ptrdiff_t>(s.position.size());
   const double kick = 0.5 * (s.last_dt + dt);
-  const double drag = 0.5 * model.mass_damping * kick;
-  std::atomic<double> fastest_squared{0.0}; // a maximum: the same in any order
-  parallel_ranges(nodes, [&](auto begin, auto end) {
-    double fastest_here = 0.0;
-    for (auto n = begin; n < end; ++n) {
-      const Vec3 before = s.velocity[n];
-      const Vec3 after = (1.0 / (1.0 + drag)) * ((1.0 - drag) * before + (kick / model.mass[n]) * s.force[n]);
-      if (drag > 0.0)
-        s.mass_damping[n] += model.mass_damping * model.mass[n] * 0.25 * norm_squared(before + after) * kick;
-      s.velocity[n] = after;
-      s.position[n] += dt * after;
-      const double squared = norm_squared(after);
-      fastest_here = std::max(fastest_here, std::isfinite(squared) ? squared : HUGE_VAL);
-    }
-    double known = fastest_squared.load();
-    while (known < fastest_here && !fastest_squared.compare_exchange_weak(known, fastest_here)) {
-    }
+  const MovingNodes nodes{s.position, s.velocity, s.force, model.mass};
+  std::atomic<double> fastest_squared{0.0};
+  parallel_ranges(static_cast<std::ptrdiff_t>(s.position.size()), [&](auto begin, auto end) {
+    raise(fastest_squared, model.mass_damping > 0.0
+                               ? move_through_drag(model, s, begin, end, kick, dt)
+                               : kick_and_drift(nodes.part(static_cast<std::size_t>(begin), static_cast<std::size_t>(end)), kick, dt));
   });
   s.time += dt;
   s.last_dt = dt;
