@@ -1,5 +1,6 @@
 #include "element/membrane_lanes.hpp"
 #include "parallel/vector_clones.hpp"
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -96,15 +97,21 @@ void take_those_left(int count, const TableLanes& t, MembraneBatch& b)
 /// Moves the unsettled ones, mostly few, to the front; returns how many.
 int keep_unsettled(int count, TableLanes& t)
 {
+  constexpr int together = 8;
   int left = 0;
-  for (int i = 0; i < count; ++i) {
-    if (t.unsettled[i] == 0) continue;
-    t.weight[left] = t.weight[i];
-    t.trial[left] = t.trial[i];
-    t.rate[left] = t.rate[i];
-    t.row[left] = t.row[i];
-    t.index[left] = t.index[i];
-    ++left;
+  for (int first = 0; first < count; first += together) {
+    std::int64_t any = 0; // lanes beyond the count may say so too
+    for (int i = first; i < first + together; ++i) any |= t.unsettled[i];
+    if (any == 0) continue;
+    for (int i = first; i < std::min(first + together, count); ++i) {
+      if (t.unsettled[i] == 0) continue;
+      t.weight[left] = t.weight[i];
+      t.trial[left] = t.trial[i];
+      t.rate[left] = t.rate[i];
+      t.row[left] = t.row[i];
+      t.index[left] = t.index[i];
+      ++left;
+    }
   }
   return left;
 }

@@ -173,6 +173,7 @@ void sum_strips(const StripEntries& s, const BlockLanes& lanes, StripLanes& stri
 {
   for (int i = 0; i < s.count; ++i) {
     double strain = 0.0;
+    TOWFORM_UNROLLED
     for (int k = s.first[i]; k < s.first[i + 1]; ++k) strain += lanes.weighed_strain[s.entry[k]];
     strips.sum[i] = strain;
   }
@@ -180,8 +181,11 @@ void sum_strips(const StripEntries& s, const BlockLanes& lanes, StripLanes& stri
 
 void hand_out(const StripEntries& s, const StripLanes& strips, BlockLanes& lanes)
 {
-  for (int i = 0; i < s.count; ++i)
-    for (int k = s.first[i]; k < s.first[i + 1]; ++k) lanes.base_tension[s.entry[k]] = strips.base_tension[i];
+  for (int i = 0; i < s.count; ++i) {
+    const double tension = strips.base_tension[i];
+    TOWFORM_UNROLLED
+    for (int k = s.first[i]; k < s.first[i + 1]; ++k) lanes.base_tension[s.entry[k]] = tension;
+  }
 }
 
 TOWFORM_VECTOR_CLONES

@@ -16,3 +16,10 @@
 #else
 #define TOWFORM_INDEPENDENT
 #endif
+
+/// Before a loop of few turns that takes its time in counting them.
+#if defined(__GNUC__) && !defined(__clang__)
+#define TOWFORM_UNROLLED _Pragma("GCC unroll 4")
+#else
+#define TOWFORM_UNROLLED
+#endif
