@@ -268,6 +268,14 @@ void take_sums(std::span<const ContactSums> sums, ToolState& tool, ContactState&
 
 } // namespace
 
+double least_distance(const Contact& contact, const ContactState& c, std::size_t node, const Vec3& p)
+{
+  const ContactPlanes& planes = c.planes;
+  if (!(planes.reach_squared[node] > 0.0F) || planes.offset[node] > no_plane) return 0.0;
+  const double moved = from_anchor(planes, static_cast<int>(node), p) + rounding(p);
+  return std::max(0.0, contact.half_thickness + std::sqrt(planes.reach_squared[node]) - moved);
+}
+
 void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
                     std::span<ContactState> states, std::span<const double> mass, State& s, double dt)
 {

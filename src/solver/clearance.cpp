@@ -1,4 +1,5 @@
 #include "solver/clearance.hpp"
+#include "contact/contact_lanes.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
@@ -36,10 +37,11 @@ private:
     const int number = model_.contacts[contact].tool;
     const Tool& tool = model_.tools[number];
     const Vec3 x = s_.sheet.position[node] - s_.tools[number].displacement * tool.direction;
+    if (least_distance(model_.contacts[contact], s_.contacts[contact], node, x) > bound) return {};
     const int met = s_.contacts[contact].planes.facet[node];
-    // Who touches is quickly found from the facet that contact knows.
-    const bool touches = s_.contacts[contact].normal_force[node] > 0.0;
-    const SurfacePoint found = touches && met >= 0
+    // Who is near is quickly found from the facet that contact knows.
+    const bool near = s_.contacts[contact].planes.offset[node] > no_plane;
+    const SurfacePoint found = near && met >= 0
                                    ? model_.contacts[contact].neighbours->nearest(x, met).point
                                    : tool.surface.nearest(x, met >= 0 ? met : hint_[contact], bound);
     if (found.facet >= 0) hint_[contact] = found.facet;
