@@ -167,7 +167,7 @@ std::vector<Row> all_rows()
     {"time.mass_scaling", AT(c.time.mass_scaling), D::none, "1", "1 .. 1000000", "uniform factor on the sheet's mass"},
     {"time.step", AT(c.time.step), D::time, optional, "> 0", "wanted step: elements that need it are made heavier"},
     {"time.mass_damping", AT(c.time.mass_damping), D::frequency, "0", ">= 0", "force on a node over its mass and velocity"},
-    {"time.subcycling", AT(c.time.subcycling), D::none, "true", "", "bending, slow beside the yarns' waves, is computed every few steps, four at most"},
+    {"time.subcycling", AT(c.time.subcycling), D::none, "true", "", "bending, slow beside the yarns' waves, is computed every few steps and held between, eight at most"},
 
     {"contact.penalty", AT(c.contact.penalty), D::none, "0.2", "> 0, <= 0.5", "stiffness of contact over node mass / step^2"},
     {"contact.damping", AT(c.contact.damping), D::none, "0.1", "0 .. 1", "normal to the tool, fraction of critical"},

@@ -78,6 +78,7 @@ std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
 void start(const Bending& bending, std::span<const Vec3> position, BendingState& b)
 {
   b.curvature = bending.curvature.at(position);
+  b.held.assign(bending.interval > 1 ? position.size() : 0, {});
   b.damping.assign(bending.blocks.size(), 0.0);
   b.block_force.assign(bending.slots.count(), {});
   b.image.assign(bending.curvature.images.size(), {});
@@ -186,9 +187,12 @@ void add_forces(const Patches& p, int nodes, const BendingLanes& __restrict l, P
   }
 }
 
-/// Moments of the curvatures now; returns the energy lost in damping.
+/// Moments of the curvatures, now or in the middle of the time for which they are held; returns the energy lost in damping.
+/// dt from one look at the curvatures to the next.
 double bend(const Bending& bending, int first, int nodes, double dt, YarnPair* curvature, BendingLanes& l)
 {
+  // Forces at n kick from n - 1/2 to n + 1/2; held, up to n + interval - 1/2.
+  const double ahead = 0.5 * (bending.interval - 1) / bending.interval;
   const double warp_viscosity = bending.warp.stiffness() * bending.damping_time / dt;
   const double weft_viscosity = bending.weft.stiffness() * bending.damping_time / dt;
   double lost = 0.0;
@@ -196,8 +200,8 @@ double bend(const Bending& bending, int first, int nodes, double dt, YarnPair* c
     const double area = bending.area[first + n];
     const YarnPair now{l.warp_now[n], l.weft_now[n]};
     const YarnPair change{now.warp - curvature[n].warp, now.weft - curvature[n].weft};
-    l.warp_moment[n] = area * (bending.warp.moment(now.warp) + warp_viscosity * change.warp);
-    l.weft_moment[n] = area * (bending.weft.moment(now.weft) + weft_viscosity * change.weft);
+    l.warp_moment[n] = area * (bending.warp.moment(now.warp + ahead * change.warp) + warp_viscosity * change.warp);
+    l.weft_moment[n] = area * (bending.weft.moment(now.weft + ahead * change.weft) + weft_viscosity * change.weft);
     lost += area * (warp_viscosity * change.warp * change.warp + weft_viscosity * change.weft * change.weft);
     curvature[n] = now;
   }
@@ -253,26 +257,33 @@ void place_images(const Bending& bending, std::span<const Vec3> position, std::v
   for (std::size_t i = 0; i < images.size(); ++i) image[i] = images[i].position(position);
 }
 
-/// Adds the blocks' forces `times` over.
-void assemble(const Bending& bending, std::span<const Vec3> block_force, double times, std::span<Vec3> force)
+void assemble(const Bending& bending, std::span<const Vec3> block_force, std::span<Vec3> force)
 {
   const auto nodes = static_cast<std::ptrdiff_t>(force.size());
   parallel_ranges(nodes, [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) force[n] += times * bending.slots.sum(block_force, n);
+    for (auto n = begin; n < end; ++n) force[n] += bending.slots.sum(block_force, n);
   });
   const std::vector<MirrorImage>& images = bending.curvature.images;
   for (std::size_t i = 0; i < images.size(); ++i)
-    images[i].hand_on(times * bending.slots.sum(block_force, nodes + static_cast<std::ptrdiff_t>(i)), force);
+    images[i].hand_on(bending.slots.sum(block_force, nodes + static_cast<std::ptrdiff_t>(i)), force);
 }
 
 } // namespace
 
-void bending_forces(const Bending& bending, BendingState& b, State& s, double dt, int steps)
+void bending_forces(const Bending& bending, BendingState& b, State& s, double dt)
 {
-  place_images(bending, s.position, b.image);
-  parallel_each(static_cast<int>(bending.blocks.size()),
-                [&](int number) { bend_block(bending, number, s, steps * dt, b); });
-  assemble(bending, b.block_force, steps, s.force);
+  const bool holds = bending.interval > 1;
+  if (s.step % bending.interval == 0) {
+    place_images(bending, s.position, b.image);
+    parallel_each(static_cast<int>(bending.blocks.size()),
+                  [&](int number) { bend_block(bending, number, s, bending.interval * dt, b); });
+    if (holds) std::fill(b.held.begin(), b.held.end(), Vec3{});
+    assemble(bending, b.block_force, holds ? b.held : s.force);
+  }
+  if (!holds) return;
+  parallel_ranges(static_cast<std::ptrdiff_t>(s.force.size()), [&](auto begin, auto end) {
+    for (auto n = begin; n < end; ++n) s.force[n] += b.held[n];
+  });
 }
 
 void linear_bending_forces(const Bending& bending, double factor, std::span<const Vec3> position,
@@ -306,7 +317,7 @@ void linear_bending_forces(const Bending& bending, double factor, std::span<cons
     }
     w.give(bending, block, block_force);
   });
-  assemble(bending, block_force, 1.0, force);
+  assemble(bending, block_force, force);
 }
 
 double bending_energy(const Bending& bending, const BendingState& b)

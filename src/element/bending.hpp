@@ -19,6 +19,7 @@ struct Bending {
   std::vector<double> area; ///< n, of each node [m^2]
   MomentLaw warp, weft;
   double damping_time = 0.0; ///< M += M'(0..) damping_time dkappa/dt, with the largest slope [s]
+  int interval = 1;          ///< steps for which forces are held before they are computed again
 
   /// `area` of each node [m^2]; `clamped` edges meet their grips without a slope. Throws
   /// std::invalid_argument when the blank has too few nodes to tell its curvature.
@@ -44,7 +45,8 @@ struct Bending {
 
 /// What changes of it.
 struct BendingState {
-  std::vector<YarnPair> curvature; ///< n, at x_n [1/m]
+  std::vector<YarnPair> curvature; ///< n, when the forces were last computed [1/m]
+  std::vector<Vec3> held;          ///< n, forces of several steps [N]; empty where they are computed at each
   std::vector<double> damping;     ///< per block, lost in bending since the start [J]
   std::vector<Vec3> block_force;   ///< each block's own, of its points [N]
   std::vector<Vec3> image;         ///< of the mirror images [m]
@@ -53,9 +55,9 @@ struct BendingState {
 /// Sizes a state for a sheet at `position`.
 void start(const Bending& bending, std::span<const Vec3> position, BendingState& b);
 
-/// Adds the bending forces at x_n to s.force, as many times as `steps` [dt each] have passed since they were last added:
-/// the impulse of them all.
-void bending_forces(const Bending& bending, BendingState& b, State& s, double dt, int steps = 1);
+/// Adds the bending forces to s.force: those at x_n or, between the steps at which they are computed, those that are held.
+/// What will be held belongs to the middle of its time: to curvatures that have gone on as they did since the time before.
+void bending_forces(const Bending& bending, BendingState& b, State& s, double dt);
 
 /// Adds the forces -K u of small motions u [m] about a shape to `force`, K being that of the laws' largest slopes times
 /// `factor` at the shape's normals; moments that turn with the normals are left out. `block_force` is room to work in.

@@ -102,17 +102,11 @@ void scale_masses(double wanted, const State& flat, Model& model)
   }
 }
 
-/// How many steps one impulse of bending serves: so few that neither the fastest bending wave nor, of a sheet between two
-/// tools, the contact springs go through much of a period meanwhile (half a period and impulses feed them). Grips report
-/// a force at every step, and want bending's part of it.
-int bending_steps(const Case& c, const Model& model)
+/// For how many steps bending forces are held: no longer than the fastest bending wave needs for some of a radian.
+int bending_interval(const Bending& bending, const Model& model)
 {
-  constexpr double most = 4.0, bending_radians = 0.5, contact_radians = 2.0;
-  if (!c.time.subcycling || !c.boundaries.empty()) return 1;
-  double steps = most;
-  for (const Bending& bending : model.bending)
-    steps = std::min(steps, bending_radians / (fastest_bending(bending, model.mass) * model.first_step));
-  if (!model.tools.empty()) steps = std::min(steps, contact_radians / std::sqrt(2.0 * c.contact.penalty));
+  constexpr double most = 8.0, radians = 0.3;
+  const double steps = std::min(most, radians / (fastest_bending(bending, model.mass) * model.first_step));
   return std::max(1, static_cast<int>(steps));
 }
 
@@ -137,7 +131,8 @@ void set_inertia(const Case& c, Model& model)
     lightest = std::min(lightest, model.element_mass[e] / membrane.area[e]);
   model.wave_speed = std::sqrt(membrane.yarn.stiffness / lightest);
   model.first_step = model.step_factor * model.first_look.step;
-  model.bending_steps = bending_steps(c, model);
+  if (c.time.subcycling)
+    for (Bending& bending : model.bending) bending.interval = bending_interval(bending, model);
 
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
     model.contacts.emplace_back(model.tools[i], static_cast<int>(i), 0.5 * c.blank.thickness, c.contact.penalty,

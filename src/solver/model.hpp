@@ -35,7 +35,6 @@ struct Model {
   double step_factor = 1.0;         ///< step over the sheet's stable step: safety, and room for contact
   StepLook first_look;              ///< of the flat sheet
   double first_step = 0.0;          ///< [s]; later steps are never longer
-  int bending_steps = 1;            ///< from one impulse of bending to the next
   double temperature = 0.0;         ///< of the sheet [K]
   double mirror_factor = 1.0;       ///< whole sheet over the modelled part
   std::vector<Tool> tools;

@@ -47,8 +47,9 @@ void visit(FieldVisitor& v, State& s)
 
 void visit(FieldVisitor& v, BendingState& s)
 {
-  auto& [curvature, damping, block_force, image] = s;
+  auto& [curvature, held, damping, block_force, image] = s;
   v("curvature", curvature);
+  v("held", held);
   v("damping", damping);
   for (const char* name : {"block_force", "image"}) v.rebuilt(name);
 }

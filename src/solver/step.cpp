@@ -68,11 +68,10 @@ void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
   phases.mark(Phase::membrane);
   assemble(model.membrane.blocks, s.sheet.block_force, s.sheet.force);
   phases.mark(Phase::assembly);
-  if (s.sheet.step % model.bending_steps == 0)
-    for (std::size_t i = 0; i < model.bending.size(); ++i) {
-      bending_forces(model.bending[i], s.bending[i], s.sheet, dt, model.bending_steps);
-      phases.mark(Phase::bending);
-    }
+  for (std::size_t i = 0; i < model.bending.size(); ++i) {
+    bending_forces(model.bending[i], s.bending[i], s.sheet, dt);
+    phases.mark(Phase::bending);
+  }
   for (const Gravity& gravity : model.gravity) gravity.add(s.sheet.force);
   for (std::size_t i = 0; i < model.pressure.size(); ++i)
     pressure_forces(model.pressure[i], model.membrane, s.pressure[i], s.sheet);

@@ -79,6 +79,19 @@ def meshes(scene):
         + [Trial(scene, "slivers in the tools", number(h), (), (), h, same="mesh") for h in of_scene(scene, (1e-2, 1e-3, 1e-4, 1e-5, 1e-6))])
 
 
+def bending(scene):
+    """Bending that is held for some steps must give what it gives at every step."""
+    stiffness = lambda b: f"material.bending_stiffness={number(b)} mN m"
+    cases = [(f"{number(b)} mN m", (stiffness(b),)) for b in (0.1, 1, 10, 100)]
+    cases += [(f"1 mN m, {key} = {value}", (stiffness(1), f"{key}={value}"))
+              for key, value in (("time.safety", 1), ("time.mass_scaling", 100), ("contact.penalty", 0.03), ("contact.penalty", 0.5))]
+    trials = []
+    for value, settings in of_scene(scene, cases):
+        each = Trial(scene, "bending at every step", value, (*settings, "time.subcycling=false"))
+        trials += [each, Trial(scene, "bending", value, settings, same="mesh", against=each.name)]
+    return trials
+
+
 def tilted(scene):
     """The blank lies ten degrees askew: the tools start apart, and the half x >= 0 is modelled."""
     rise = {"hemisphere": 27, "double_dome": 40}[scene]  # of the blank's edge [mm]
@@ -113,7 +126,7 @@ def together(count):
 
 
 def long_suite():
-    return [t for scene in SCENES for t in one_by_one(scene) + meshes(scene) + tilted(scene)] + together(10)
+    return [t for scene in SCENES for t in one_by_one(scene) + meshes(scene) + bending(scene) + tilted(scene)] + together(10)
 
 
 # Of the hemisphere: what came nearest to the edge, and what has to be stopped. A minute on one thread at most.
