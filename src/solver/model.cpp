@@ -102,10 +102,10 @@ void scale_masses(double wanted, const State& flat, Model& model)
   }
 }
 
-/// For how many steps bending forces are held: no longer than the fastest bending wave needs for some of a radian.
+/// For how many steps bending forces are held: no longer than the fastest bending wave needs for half a radian.
 int bending_interval(const Bending& bending, const Model& model)
 {
-  constexpr double most = 8.0, radians = 0.3;
+  constexpr double most = 8.0, radians = 0.5;
   const double steps = std::min(most, radians / (fastest_bending(bending, model.mass) * model.first_step));
   return std::max(1, static_cast<int>(steps));
 }
