@@ -273,15 +273,17 @@ void assemble(const Bending& bending, std::span<const Vec3> block_force, std::sp
 void bending_forces(const Bending& bending, BendingState& b, State& s, double dt)
 {
   const bool holds = bending.interval > 1;
+  const auto nodes = static_cast<std::ptrdiff_t>(s.force.size());
   if (s.step % bending.interval == 0) {
     place_images(bending, s.position, b.image);
     parallel_each(static_cast<int>(bending.blocks.size()),
                   [&](int number) { bend_block(bending, number, s, bending.interval * dt, b); });
-    if (holds) std::fill(b.held.begin(), b.held.end(), Vec3{});
+    if (holds)
+      parallel_ranges(nodes, [&](auto begin, auto end) { std::fill(b.held.begin() + begin, b.held.begin() + end, Vec3{}); });
     assemble(bending, b.block_force, holds ? b.held : s.force);
   }
   if (!holds) return;
-  parallel_ranges(static_cast<std::ptrdiff_t>(s.force.size()), [&](auto begin, auto end) {
+  parallel_ranges(nodes, [&](auto begin, auto end) {
     for (auto n = begin; n < end; ++n) s.force[n] += b.held[n];
   });
 }

@@ -41,7 +41,7 @@ private:
     const int met = s_.contacts[contact].planes.facet[node];
     // Who is near is quickly found from the facet that contact knows.
     const bool near = s_.contacts[contact].planes.offset[node] > no_plane;
-    const SurfacePoint found = near && met >= 0
+    const SurfacePoint found = near
                                    ? model_.contacts[contact].neighbours->nearest(x, met).point
                                    : tool.surface.nearest(x, met >= 0 ? met : hint_[contact], bound);
     if (found.facet >= 0) hint_[contact] = found.facet;
