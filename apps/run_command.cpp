@@ -46,7 +46,7 @@ struct CaseArguments {
         ->take_all();
     command.add_flag("--fast", fast,
                      "a first look: ten times the sheet's mass (time.mass_scaling = 10) for long steps, shear angles within "
-                     "some 0.3 deg, but forces with ten times the inertia");
+                     "some 0.3 deg RMS where the sheet resists bending, but forces with ten times the inertia");
   }
   [[nodiscard]] Case read() const
   {
