@@ -8,25 +8,20 @@ namespace towform {
 inline double arcsine(double x)
 {
   const double size = std::abs(x);
-  const bool large = size > 0.5;
-  const double z = large ? 0.5 * (1.0 - size) : size * size;
-  const double root = std::sqrt(z);
-  const double s = large ? root : size;
-  double p = 0.028169219556187758;
-  p = p * z - 0.010749051836852685;
-  p = p * z + 0.01603551486638625;
-  p = p * z + 0.007802949444672845;
-  p = p * z + 0.011875494355987582;
-  p = p * z + 0.013929652911087833;
-  p = p * z + 0.017355259954491768;
-  p = p * z + 0.022372047631853118;
-  p = p * z + 0.030381947367093046;
-  p = p * z + 0.0446428571034238;
-  p = p * z + 0.07500000000020764;
-  p = p * z + 0.1666666666666665;
+  // The smaller of both is the one that is wanted, and the root of a square is exact: one way for all x, as a compiler may
+  // follow two, and then does everything twice.
+  const double near_one = 0.5 * (1.0 - size), square = size * size;
+  const double z = near_one < square ? near_one : square;
+  const double s = std::sqrt(z);
+  // In pairs: sums that wait for each other fill the processor's queue.
+  const double z2 = z * z, z4 = z2 * z2;
+  const double low = (0.1666666666666665 + 0.07500000000020764 * z) + z2 * (0.0446428571034238 + 0.030381947367093046 * z);
+  const double middle = (0.022372047631853118 + 0.017355259954491768 * z) + z2 * (0.013929652911087833 + 0.011875494355987582 * z);
+  const double high = (0.007802949444672845 + 0.01603551486638625 * z) + z2 * (-0.010749051836852685 + 0.028169219556187758 * z);
+  const double p = low + z4 * (middle + z4 * high);
   const double small = s + s * (z * p);
   constexpr double half_pi = 1.57079632679489661923;
-  return std::copysign(large ? half_pi - 2.0 * small : small, x);
+  return std::copysign(size > 0.5 ? half_pi - 2.0 * small : small, x);
 }
 
 } // namespace towform

@@ -3,6 +3,7 @@
 #include "parallel/vector_clones.hpp"
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace towform {
 
@@ -222,11 +223,49 @@ void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLane
   }
 }
 
+namespace {
+/// The numbers of four vectors side by side.
+struct Columns {
+  Vec4 x, y, z;
+};
+inline Columns columns(const Vec4& a, const Vec4& b, const Vec4& c, const Vec4& d)
+{
+  const Vec4 xz_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6), y_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Vec4 xz_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6), y_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  return {__builtin_shufflevector(xz_ab, xz_cd, 0, 1, 4, 5), __builtin_shufflevector(y_ab, y_cd, 0, 1, 4, 5),
+          __builtin_shufflevector(xz_ab, xz_cd, 2, 3, 6, 7)};
+}
+inline void put(const Columns& c, double* x, double* y, double* z)
+{
+  std::memcpy(x, &c.x, sizeof c.x);
+  std::memcpy(y, &c.y, sizeof c.y);
+  std::memcpy(z, &c.z, sizeof c.z);
+}
+
+/// Edges from corner 0.
+struct Edges {
+  Vec4 d1, d2;
+};
+inline Edges edges(const Padded* position, const std::uint16_t* corner)
+{
+  const Vec4 x0 = position[corner[0]].v;
+  return {position[corner[1]].v - x0, position[corner[2]].v - x0};
+}
+
+} // namespace
+
 TOWFORM_VECTOR_CLONES
 void gather_edges(const Padded* position, const std::uint16_t* corner, int count, MembraneBatch& __restrict b)
 {
-  for (int i = 0; i < count; ++i, corner += 3) {
-    const Vec4 x0 = position[corner[0]].v, d1 = position[corner[1]].v - x0, d2 = position[corner[2]].v - x0;
+  int i = 0;
+  for (; i + 4 <= count; i += 4, corner += 12) {
+    const Edges e0 = edges(position, corner), e1 = edges(position, corner + 3), e2 = edges(position, corner + 6),
+                e3 = edges(position, corner + 9);
+    put(columns(e0.d1, e1.d1, e2.d1, e3.d1), b.d1x + i, b.d1y + i, b.d1z + i);
+    put(columns(e0.d2, e1.d2, e2.d2, e3.d2), b.d2x + i, b.d2y + i, b.d2z + i);
+  }
+  for (; i < count; ++i, corner += 3) {
+    const auto [d1, d2] = edges(position, corner);
     b.d1x[i] = d1[0];
     b.d1y[i] = d1[1];
     b.d1z[i] = d1[2];
