@@ -80,18 +80,17 @@ double from_anchor(const ContactPlanes& planes, int node, const Vec3& p)
   return norm(p - Vec3{planes.anchor_x[node], planes.anchor_y[node], planes.anchor_z[node]});
 }
 
-/// The nearest point where a node is still inside the facet, or nearest to the edge, that it was found at.
+/// The nearest point where a node is still nearest to the edge that it was found at.
 std::optional<FacetNeighbours::Nearest> where_it_was(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
   if (!(planes.clear[node] > 0.0F)) return {};
   const double left = planes.clear[node] - from_anchor(planes, node, p) - rounding(p);
   if (left <= 0.0) return {};
-  if (planes.rival[node] < 0) return m.contact.neighbours->still_inside(p, planes.facet[node], left);
   const SurfacePoint point = m.tool.surface.nearest_of(p, planes.facet[node], planes.rival[node]);
   if (point.inside && m.contact.neighbours->is_well_inside(p, point.facet)) return {}; // it may have a plane again
   if (point.facet != planes.facet[node]) std::swap(planes.facet[node], planes.rival[node]);
-  return FacetNeighbours::Nearest{point};
+  return FacetNeighbours::Nearest{point, 0.0, p};
 }
 
 /// The nearest point of all, and what is remembered of it.
@@ -101,7 +100,6 @@ FacetNeighbours::Nearest nearest(const Meeting& m, const Vec3& p, int node)
   // At the start the node before, of the same block, tells best where to begin.
   const bool follows = planes.facet[node] < 0 && node % block_size > 0;
   const FacetNeighbours::Nearest found = m.contact.neighbours->nearest(p, planes.facet[follows ? node - 1 : node]);
-  set_anchor(planes, node, p);
   planes.facet[node] = found.point.facet;
   planes.rival[node] = found.rival;
   planes.clear[node] = told(found.clear, p);
@@ -137,11 +135,10 @@ void search(const Meeting& m, const Vec3& p, int node)
   const bool behind_rim = point.distance < 0.0 && point.on_border;
   const double gap = behind_rim ? 0.0 : (point.distance - m.contact.half_thickness) * (1.0 - 1e-9);
   const double reach = std::max(found.reach, gap);
-  if (known && reach > 0.0) {
-    planes.clear[node] -= static_cast<float>(from_anchor(planes, node, p) + rounding(p));
-    set_anchor(planes, node, p);
-  }
-  const float sure = told(reach, p);
+  const Vec3& anchor = gap > found.reach ? p : found.anchor;
+  if (known && reach > 0.0) planes.clear[node] -= static_cast<float>(from_anchor(planes, node, p) + rounding(p));
+  if (!known || reach > 0.0) set_anchor(planes, node, anchor);
+  const float sure = told(reach, anchor);
   planes.reach_squared[node] = sure > 0.0F ? sure * sure : -1.0F;
   planes.normal_x[node] = point.normal.x;
   planes.normal_y[node] = point.normal.y;

@@ -40,7 +40,7 @@ struct ContactPlanes {
   std::vector<float> reach_squared;                         ///< n [m^2]; negative: to be searched for
   std::vector<int> facet;                                   ///< n, found last; -1 before the first search
   std::vector<int> rival;           ///< n, the facet beyond the edge that a node was nearest to; -1 for none
-  std::vector<float> clear;         ///< n, FacetNeighbours::Nearest::clear from the anchor [m]; negative: not known
+  std::vector<float> clear;         ///< n, FacetNeighbours::Nearest::clear from the anchor [m]; negative: not known, or no rival
   std::vector<std::uint8_t> near;     ///< per group, whether one of them has a plane
   std::vector<std::uint8_t> touching; ///< per group, whether one of them touches the tool
 };

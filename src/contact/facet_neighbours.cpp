@@ -37,7 +37,7 @@ bool within(const Facet& f, const Facet& other, double radius)
 
 FacetNeighbours::~FacetNeighbours()
 {
-  for (const std::atomic<const InFront*>& list : in_front_) delete list.load();
+  for (const std::atomic<const Competitors*>& list : competitors_) delete list.load();
   for (const std::atomic<const All*>& list : all_) delete list.load();
 }
 
@@ -52,31 +52,79 @@ const List& FacetNeighbours::of(int facet, Lists<List>& lists) const
   return *there; // another thread was first, with the same list
 }
 
-void FacetNeighbours::fill(int number, InFront& list) const
+/// The corners of a facet and of those that go on in its plane, three each.
+void FacetNeighbours::find_level(int number, std::vector<Vec3>& corners) const
+{
+  corners.clear();
+  const auto take = [&](int facet) {
+    const auto& its = surface_.tree().facet(facet).corner;
+    corners.insert(corners.end(), its.begin(), its.end());
+  };
+  take(number);
+  for (int k = 0; k < 3; ++k)
+    if (surface_.goes_on(number, k)) take(surface_.across(number, k));
+}
+
+/// Whether another facet may be nearer, or as near, to who is above one, no higher than `highest`, that has the corners `level`
+/// with those that go on in its plane. Distances from planes, being linear, are told by their values at the ends of that space.
+bool FacetNeighbours::competes(const Facet& other, const Facet& f, std::span<const Vec3> level, double highest)
+{
+  constexpr double touching = 1e-12; // [m]
+  const std::array heights{f.height(other.corner[0]), f.height(other.corner[1]), f.height(other.corner[2])};
+  const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
+  if (*high <= touching || *low > 2.0 * highest) return false;
+  bool before = true, behind = true;
+  for (const Vec3& corner : level)
+    for (const double height : {0.0, highest}) {
+      const double from_other = other.height(corner + height * f.normal);
+      before = before && from_other - height > doubt;
+      behind = behind && from_other + height < -doubt;
+    }
+  return !before && !behind;
+}
+
+/// Those of a facet for whom is no higher than `highest`.
+FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double highest) const
 {
   static thread_local std::vector<int> found;
+  static thread_local std::vector<Vec3> level, space;
   const Facet& f = surface_.tree().facet(number);
-  surface_.tree().find_in_box_round(f, radius_, found);
-  std::vector<Neighbour> ahead;
+  find_level(number, level);
+  space = level;
+  for (const Vec3& corner : level) space.push_back(corner + highest * f.normal);
+  surface_.tree().find_in_front(f, space, highest, found);
+  Competitors list{{}, highest};
   for (const int near : found) {
     const Facet& other = surface_.tree().facet(near);
-    constexpr double touching = 1e-12; // [m]
-    const bool reaches = std::any_of(other.corner.begin(), other.corner.end(),
-                                     [&](const Vec3& c) { return f.height(c) > touching; });
-    if (near == number || !reaches || !within(f, other, radius_)) continue;
+    if (!competes(other, f, level, highest)) continue;
+    bool beside = beyond_an_edge(other, f, highest);
+    for (int k = 0; k < 3 && beside; ++k)
+      if (surface_.goes_on(number, k)) beside = beyond_an_edge(other, surface_.tree().facet(surface_.across(number, k)), highest);
+    if (beside) continue;
     const double turn = norm(other.normal - f.normal);
-    ahead.push_back({other.normal, other.offset, turn > 0.0 ? 1.0 / turn : 0.0, near});
+    list.facets.push_back({other.normal, other.offset, turn > 0.0 ? 1.0 / turn : 0.0, near});
   }
-  const auto others = std::partition(ahead.begin(), ahead.end(),
-                                     [&](const Neighbour& n) { return lies_round(number, n.facet); });
-  list.round = static_cast<std::size_t>(others - ahead.begin());
-  list.facets.assign(ahead.begin(), ahead.end()); // no room for more
+  return list;
+}
+
+/// As high as a facet is long, if that brings no more of them: above a level part of a tool.
+void FacetNeighbours::fill(int number, Competitors& list) const
+{
+  const Facet& f = surface_.tree().facet(number);
+  const double length = std::max({norm(f.edge(0)), norm(f.edge(1)), norm(f.edge(2))});
+  list = competitors(number, highest_);
+  for (double highest = 2.0 * highest_; highest <= length; highest *= 2.0) {
+    Competitors higher = competitors(number, highest);
+    if (higher.facets.size() > list.facets.size()) break;
+    list = std::move(higher);
+  }
+  list.facets.shrink_to_fit();
 }
 
 void FacetNeighbours::fill(int number, All& list) const
 {
   const Facet& f = surface_.tree().facet(number);
-  surface_.tree().find_in_box_round(f, radius_, list);
+  surface_.tree().find_in_box_round(f.corner, radius_, list);
   std::erase_if(list, [&](int near) { return near == number || !within(f, surface_.tree().facet(near), radius_); });
   list.shrink_to_fit();
 }
@@ -103,88 +151,97 @@ int FacetNeighbours::walk(const Vec3& p, int from) const
   return facet;
 }
 
-/// Whether another facet lies beyond an edge of a facet, or of one that goes on in its plane.
-bool FacetNeighbours::lies_round(int facet, int other) const
-{
-  for (int k = 0; k < 3; ++k) {
-    const int next = surface_.across(facet, k);
-    if (next == other) return true;
-    if (!surface_.goes_on(facet, k)) continue;
-    for (int j = 0; j < 3; ++j)
-      if (surface_.across(next, j) == other) return true;
-  }
-  return false;
-}
-
-/// How far p, at a height in front of a facet's plane, may move there, `most` at most, before one of others may be nearer
-/// than the inside of the facet. Facets behind the plane can come no nearer, one in front of it not before p is on the plane
-/// that halves the angle between both. Negative where another facet is nearer, or as near.
-double FacetNeighbours::reach_before(std::span<const Neighbour> others, const Vec3& p, double height, double most) const
-{
-  double reach = most;
-  for (const Neighbour& n : others) {
-    if (const double to_bisector = (n.height(p) - height) * n.over_turn; to_bisector > doubt) {
-      reach = std::min(reach, to_bisector);
-      continue;
-    }
-    const double distance = std::sqrt(nearest_on_facet(surface_.tree().facet(n.facet), p).distance_squared);
-    if (distance <= height + doubt) return -1.0;
-    reach = std::min(reach, 0.5 * (distance - height));
-  }
-  return reach;
-}
-
-bool FacetNeighbours::is_well_inside(const Vec3& p, int facet) const { return margin(p, facet) > doubt; }
+bool FacetNeighbours::is_well_inside(const Vec3& p, int facet) const { return margin(p, facet).room > doubt; }
 
 /// How far p, inside a facet, is from where another plane begins: edges to a facet of the same plane, to the last bit,
 /// do not count, but that facet's other edges do.
-double FacetNeighbours::margin(const Vec3& p, int facet) const
+FacetNeighbours::Limit FacetNeighbours::margin(const Vec3& p, int facet) const
 {
   const Facet& f = surface_.tree().facet(facet);
-  double margin = HUGE_VAL;
+  Limit limit{HUGE_VAL, {}};
+  const auto see = [&](const Facet& of, int k) {
+    const Vec3& inward = of.inward[static_cast<std::size_t>(k)];
+    limit.see(dot(inward, p - of.corner[static_cast<std::size_t>(k)]), inward);
+  };
   for (int k = 0; k < 3; ++k) {
     if (!surface_.goes_on(facet, k)) {
-      margin = std::min(margin, dot(f.inward[k], p - f.corner[k]));
+      see(f, k);
       continue;
     }
     const int next = surface_.across(facet, k);
-    const Facet& other = surface_.tree().facet(next);
     for (int j = 0; j < 3; ++j)
-      if (surface_.across(next, j) != facet) margin = std::min(margin, dot(other.inward[j], p - other.corner[j]));
+      if (surface_.across(next, j) != facet) see(surface_.tree().facet(next), j);
   }
-  return margin;
+  return limit;
 }
 
-std::optional<FacetNeighbours::Nearest> FacetNeighbours::still_inside(const Vec3& p, int facet, double clear) const
+/// How far p, at a height above a facet, may move there before another facet may be nearer. Facets behind the plane can come no
+/// nearer, one in front of it not before p is on the plane that halves the angle between both. Negative where another facet is
+/// nearer, or as near, or where it is not known.
+FacetNeighbours::Limit FacetNeighbours::reach_above(const Vec3& p, int facet, double height) const
 {
-  const double height = surface_.tree().facet(facet).height(p), room = margin(p, facet);
-  if (!(height > 0.0 && room > doubt)) return {};
-  const double reach = reach_before(of(facet, in_front_).those_round(), p, height, std::min(room, clear));
-  if (reach < 0.0) return {};
-  return Nearest{surface_.above(p, facet), std::max(0.0, reach - 0.1 * doubt), -1, clear};
+  const Limit none{-1.0, {}};
+  Limit limit = margin(p, facet);
+  if (!(limit.room > doubt)) return none;
+  const Competitors& list = of(facet, competitors_);
+  const Vec3& normal = surface_.tree().facet(facet).normal;
+  limit.see(list.highest - height, -normal);
+  if (!(limit.room > doubt)) return none;
+  for (const Neighbour& n : list.facets) {
+    if (const double to_bisector = (n.height(p) - height) * n.over_turn; to_bisector > doubt) {
+      limit.see(to_bisector, n.over_turn * (n.normal - normal));
+      continue;
+    }
+    const double distance = std::sqrt(nearest_on_facet(surface_.tree().facet(n.facet), p).distance_squared);
+    if (distance <= height + doubt) return none;
+    limit.see(0.5 * (distance - height), {});
+  }
+  return limit;
+}
+
+/// Who has just come over an edge is near it, and would soon be looked for again: a ball that has him inside, but its middle
+/// farther from there, reaches farther.
+void FacetNeighbours::widen(const Vec3& p, const Vec3& away, Nearest& found) const
+{
+  const Facet& f = surface_.tree().facet(found.point.facet);
+  for (double step = 2.0 * radius_; step >= std::max(2.0 * found.reach, 0.03 * radius_); step *= 0.5) {
+    const Vec3 centre = p + step * away;
+    const double height = f.height(centre);
+    if (!(height > 0.0)) continue;
+    const double reach = reach_above(centre, found.point.facet, height).room - 0.1 * doubt;
+    if (reach <= step + 0.5 * found.reach) continue;
+    found.reach = reach;
+    found.anchor = centre;
+    return;
+  }
 }
 
 FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
 {
-  // A facet as near as the found one is within twice the distance of it.
-  const auto is_far = [this](double distance_squared) { return 4.0 * distance_squared >= radius_ * radius_; };
   int facet = from < 0 ? from : walk(p, from);
   FacetPoint best;
   if (facet >= 0) best = nearest_on_facet(surface_.tree().facet(facet), p);
+  const auto above = [&]() -> std::optional<Nearest> {
+    const double height = surface_.tree().facet(facet).height(p);
+    if (best.feature != Feature::inside || !(height > 0.0)) return {};
+    const Limit limit = reach_above(p, facet, height);
+    if (limit.room < 0.0) return {};
+    Nearest found{surface_.at(p, facet, best), std::max(0.0, limit.room - 0.1 * doubt), p};
+    widen(p, limit.away, found);
+    return found;
+  };
+  if (facet >= 0)
+    if (const auto found = above()) return *found;
+  // A facet as near as the found one is within twice the distance of it.
+  const auto is_far = [this](double distance_squared) { return 4.0 * distance_squared >= radius_ * radius_; };
   if (facet < 0 || is_far(best.distance_squared)) {
-    const SurfacePoint found = surface_.nearest(p, facet);
-    if (is_far(found.distance * found.distance)) return Nearest{found};
-    facet = found.facet;
+    const SurfacePoint point = surface_.nearest(p, facet);
+    const bool same = point.facet == facet;
+    facet = point.facet;
     best = nearest_on_facet(surface_.tree().facet(facet), p);
-  }
-  if (const double height = surface_.tree().facet(facet).height(p); best.feature == Feature::inside && height > 0.0) {
-    if (const double room = margin(p, facet); room > doubt) {
-      const InFront& ahead = of(facet, in_front_);
-      const double clear = reach_before(ahead.others(), p, height, 0.5 * radius_ - height);
-      const double reach = reach_before(ahead.those_round(), p, height, std::min(room, clear));
-      if (clear >= 0.0 && reach >= 0.0)
-        return Nearest{surface_.at(p, facet, best), std::max(0.0, reach - 0.1 * doubt), -1, clear - 0.1 * doubt};
-    }
+    if (!same)
+      if (const auto found = above()) return *found;
+    if (is_far(best.distance_squared)) return Nearest{point, 0.0, p};
   }
   for (const int near : of(facet, all_)) {
     const Facet& other = surface_.tree().facet(near);
@@ -197,7 +254,7 @@ FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
       facet = near;
     }
   }
-  Nearest found{surface_.at(p, facet, best)};
+  Nearest found{surface_.at(p, facet, best), 0.0, p};
   if (best.feature < Feature::corner_0) set_rival(p, best, found);
   return found;
 }

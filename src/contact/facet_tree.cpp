@@ -22,6 +22,12 @@ inline double distance_squared(const Box& box, const Vec3& p)
   return dx * dx + dy * dy + dz * dz;
 }
 
+inline Box grown(const Box& box, double distance)
+{
+  const Vec3 by{distance, distance, distance};
+  return {box.low - by, box.high + by};
+}
+
 inline bool overlap(const Box& a, const Box& b)
 {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
@@ -144,18 +150,17 @@ FacetTree::Roughly FacetTree::roughly_nearest(const Vec3& p, double bound) const
   return {facet, share * std::sqrt(best)};
 }
 
-void FacetTree::find_in_box_round(const Facet& facet, double distance, std::vector<int>& found) const
+/// Facets in boxes that are wanted.
+template <class Wanted>
+void FacetTree::find(const Wanted& wanted, std::vector<int>& found) const
 {
-  Box box = box_of(facet.corner);
-  box.low -= {distance, distance, distance};
-  box.high += {distance, distance, distance};
   found.clear();
   std::array<int, stack_size> open;
   int top = 0;
   open[top++] = 0;
   while (top > 0) {
     const Boxes::Node& node = boxes_->nodes[open[--top]];
-    if (!overlap(node.box, box)) continue;
+    if (!wanted(node.box)) continue;
     if (node.facet >= 0) {
       found.push_back(node.facet);
     } else {
@@ -163,6 +168,23 @@ void FacetTree::find_in_box_round(const Facet& facet, double distance, std::vect
       open[top++] = node.left + 1;
     }
   }
+}
+
+void FacetTree::find_in_box_round(std::span<const Vec3> points, double distance, std::vector<int>& found) const
+{
+  const Box round = grown(box_of(points), distance);
+  find([&](const Box& box) { return overlap(box, round); }, found);
+}
+
+void FacetTree::find_in_front(const Facet& facet, std::span<const Vec3> points, double distance, std::vector<int>& found) const
+{
+  const Box round = grown(box_of(points), distance);
+  const Vec3& n = facet.normal;
+  const auto highest = [&](const Box& box) {
+    return (n.x > 0.0 ? box.high.x : box.low.x) * n.x + (n.y > 0.0 ? box.high.y : box.low.y) * n.y +
+           (n.z > 0.0 ? box.high.z : box.low.z) * n.z - facet.offset;
+  };
+  find([&](const Box& box) { return overlap(box, round) && highest(box) > 0.0; }, found);
 }
 
 } // namespace towform

@@ -2,6 +2,7 @@
 #include "contact/facet.hpp"
 #include "towform/surface_mesh.hpp"
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace towform {
@@ -25,9 +26,11 @@ public:
   };
   [[nodiscard]] Roughly roughly_nearest(const Vec3& p, double bound) const;
 
-  /// Facets, itself among them, whose boxes overlap the box round a facet grown by `distance` [m], in any order: put
-  /// into `found`.
-  void find_in_box_round(const Facet& facet, double distance, std::vector<int>& found) const;
+  /// Facets whose boxes overlap the box round some points grown by `distance` [m], in any order: put into `found`.
+  void find_in_box_round(std::span<const Vec3> points, double distance, std::vector<int>& found) const;
+
+  /// Of these only such as may be in front of a facet's plane.
+  void find_in_front(const Facet& facet, std::span<const Vec3> points, double distance, std::vector<int>& found) const;
 
   [[nodiscard]] const Facet& facet(int number) const { return facets_[number]; }
 
@@ -36,6 +39,8 @@ private:
   [[nodiscard]] int depth() const;
   template <class Limit, class Visit>
   void walk(const Vec3& p, const Limit& limit, const Visit& visit) const;
+  template <class Wanted>
+  void find(const Wanted& wanted, std::vector<int>& found) const;
   std::unique_ptr<const Boxes> boxes_;
   std::vector<Facet> facets_;
 };

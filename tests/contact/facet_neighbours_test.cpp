@@ -86,13 +86,14 @@ TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
     for (int i = 0; i < 4000; ++i) {
       const int facet = wander.facet(surface);
       const Facet& start = surface.tree().facet(facet);
-      const Vec3 p = wander.on(start) + wander.side() * (0.2e-3 + 0.5e-3 * wander.fraction()) * start.normal;
+      const Vec3 p = wander.on(start) + wander.side() * (0.1e-3 + 1.2e-3 * wander.fraction()) * start.normal;
       const auto nearest = neighbours.nearest(p, facet);
       if (nearest.reach == 0.0) continue;
       ++planes;
+      ASSERT_LT(norm(p - nearest.anchor), nearest.reach);
       const Facet& f = surface.tree().facet(nearest.point.facet);
       for (int k = 0; k < 8; ++k) {
-        const Vec3 q = p + (0.999 * nearest.reach) * wander.direction();
+        const Vec3 q = nearest.anchor + (0.999 * nearest.reach) * wander.direction();
         if (f.height(q) <= 0.0) continue; // behind the plane it promises nothing
         const SurfacePoint full = surface.nearest(q);
         ASSERT_EQ(full.distance, f.height(q)) << i << ", reach " << nearest.reach;
@@ -100,38 +101,6 @@ TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
       }
     }
     EXPECT_GT(planes, 1500);
-  }
-}
-
-TEST(FacetNeighbours, TheFacetsRoundServeAsFarAsItIsClear)
-{
-  for (const bool flat : {true, false}) {
-    const ToolSurface surface(flat ? tray() : test::sphere(0.03, 24));
-    const FacetNeighbours neighbours(surface, 2e-3);
-    Wander wander(23);
-    int still = 0;
-    for (int i = 0; i < 4000; ++i) {
-      const int facet = wander.facet(surface);
-      const Facet& start = surface.tree().facet(facet);
-      const Vec3 p = wander.on(start) + (0.1e-3 + 0.6e-3 * wander.fraction()) * start.normal;
-      const auto nearest = neighbours.nearest(p, facet);
-      if (nearest.rival >= 0 || nearest.clear <= 0.0) continue;
-      for (int k = 0; k < 4; ++k) {
-        const double moved = 0.999 * nearest.clear * wander.fraction();
-        const Vec3 q = p + moved * wander.direction();
-        const auto there = neighbours.still_inside(q, nearest.point.facet, nearest.clear - moved);
-        if (!there) continue;
-        ++still;
-        const Facet& f = surface.tree().facet(nearest.point.facet);
-        for (const Vec3& r : {q, q + (0.999 * there->reach) * wander.direction()}) {
-          if (f.height(r) <= 0.0) continue; // behind the plane it promises nothing
-          const SurfacePoint full = surface.nearest(r);
-          ASSERT_EQ(full.distance, f.height(r)) << i << ", clear " << nearest.clear;
-          ASSERT_EQ(full.normal, f.normal) << i;
-        }
-      }
-    }
-    EXPECT_GT(still, 2000);
   }
 }
 
