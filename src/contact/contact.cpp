@@ -27,9 +27,7 @@ void start(const Contact&, std::size_t nodes, ContactState& c)
   p.offset.assign(padded, no_plane);
   p.reach_squared.assign(nodes, -1.0F);
   p.reach_squared.resize(padded, HUGE_VALF); // padding never wakes
-  p.facet.assign(nodes, -1);
-  p.rival.assign(nodes, -1);
-  p.clear.assign(nodes, -1.0F);
+  p.found.assign(nodes, {});
   p.near.assign(groups, 0);
   p.touching.assign(groups, 1); // a state that is read may hold forces
 }
@@ -84,12 +82,12 @@ double from_anchor(const ContactPlanes& planes, int node, const Vec3& p)
 std::optional<FacetNeighbours::Nearest> where_it_was(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
-  if (!(planes.clear[node] > 0.0F)) return {};
-  const double left = planes.clear[node] - from_anchor(planes, node, p) - rounding(p);
+  if (!(planes.found[node].clear > 0.0F)) return {};
+  const double left = planes.found[node].clear - from_anchor(planes, node, p) - rounding(p);
   if (left <= 0.0) return {};
-  const SurfacePoint point = m.tool.surface.nearest_of(p, planes.facet[node], planes.rival[node]);
+  const SurfacePoint point = m.tool.surface.nearest_of(p, planes.found[node].facet, planes.found[node].rival);
   if (point.inside && m.contact.neighbours->is_well_inside(p, point.facet)) return {}; // it may have a plane again
-  if (point.facet != planes.facet[node]) std::swap(planes.facet[node], planes.rival[node]);
+  if (point.facet != planes.found[node].facet) std::swap(planes.found[node].facet, planes.found[node].rival);
   return FacetNeighbours::Nearest{point, 0.0, p};
 }
 
@@ -98,11 +96,11 @@ FacetNeighbours::Nearest nearest(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
   // At the start the node before, of the same block, tells best where to begin.
-  const bool follows = planes.facet[node] < 0 && node % block_size > 0;
-  const FacetNeighbours::Nearest found = m.contact.neighbours->nearest(p, planes.facet[follows ? node - 1 : node]);
-  planes.facet[node] = found.point.facet;
-  planes.rival[node] = found.rival;
-  planes.clear[node] = told(found.clear, p);
+  const bool follows = planes.found[node].facet < 0 && node % block_size > 0;
+  const FacetNeighbours::Nearest found = m.contact.neighbours->nearest(p, planes.found[follows ? node - 1 : node].facet);
+  planes.found[node].facet = found.point.facet;
+  planes.found[node].rival = found.rival;
+  planes.found[node].clear = told(found.clear, p);
   return found;
 }
 
@@ -112,12 +110,12 @@ bool is_still_away(const Meeting& m, const Vec3& p, int node)
   ContactPlanes& planes = m.state.planes;
   if (!(planes.reach_squared[node] > 0.0F) || planes.offset[node] > no_plane) return false;
   const double beyond = from_anchor(planes, node, p) - std::sqrt(planes.reach_squared[node]) + rounding(p);
-  const auto far = m.contact.neighbours->far(p, planes.facet[node], beyond);
+  const auto far = m.contact.neighbours->far(p, planes.found[node].facet, beyond);
   if (!far) return false;
   const float reach = told(far->distance - m.contact.half_thickness, p);
-  planes.facet[node] = far->facet;
-  planes.rival[node] = -1;
-  planes.clear[node] = -1.0F;
+  planes.found[node].facet = far->facet;
+  planes.found[node].rival = -1;
+  planes.found[node].clear = -1.0F;
   set_anchor(planes, node, p);
   planes.reach_squared[node] = reach * reach;
   return true;
@@ -136,7 +134,7 @@ void search(const Meeting& m, const Vec3& p, int node)
   const double gap = behind_rim ? 0.0 : (point.distance - m.contact.half_thickness) * (1.0 - 1e-9);
   const double reach = std::max(found.reach, gap);
   const Vec3& anchor = gap > found.reach ? p : found.anchor;
-  if (known && reach > 0.0) planes.clear[node] -= static_cast<float>(from_anchor(planes, node, p) + rounding(p));
+  if (known && reach > 0.0) planes.found[node].clear -= static_cast<float>(from_anchor(planes, node, p) + rounding(p));
   if (!known || reach > 0.0) set_anchor(planes, node, anchor);
   const float sure = told(reach, anchor);
   planes.reach_squared[node] = sure > 0.0F ? sure * sure : -1.0F;

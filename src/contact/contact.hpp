@@ -31,6 +31,13 @@ struct ContactEnergies {
   double elastic = 0.0, damping = 0.0, friction = 0.0;
 };
 
+/// Where a search has found a node's nearest point.
+struct FoundLast {
+  int facet = -1;     ///< -1 before the first search
+  int rival = -1;     ///< the facet beyond the edge that it was on; -1 for none
+  float clear = -1.0F; ///< FacetNeighbours::Nearest::clear from the anchor [m]; negative: not known, or no rival
+};
+
 /// What a search has found out about nodes, as long as they are within a distance of an anchor: the plane of the facet
 /// that a node is nearest to, or that it cannot touch; or both facets of an edge that it is nearest to. Only speed depends
 /// on it, as a search gives the same bits. Arrays that vectors read are padded to whole groups of nodes (NodeLanes).
@@ -38,9 +45,7 @@ struct ContactPlanes {
   std::vector<double> normal_x, normal_y, normal_z, offset; ///< n, normal . x = offset [m]; far below for no plane
   std::vector<float> anchor_x, anchor_y, anchor_z;          ///< n, in the tool's frame [m]
   std::vector<float> reach_squared;                         ///< n [m^2]; negative: to be searched for
-  std::vector<int> facet;                                   ///< n, found last; -1 before the first search
-  std::vector<int> rival;           ///< n, the facet beyond the edge that a node was nearest to; -1 for none
-  std::vector<float> clear;         ///< n, FacetNeighbours::Nearest::clear from the anchor [m]; negative: not known, or no rival
+  std::vector<FoundLast> found;                             ///< n
   std::vector<std::uint8_t> near;     ///< per group, whether one of them has a plane
   std::vector<std::uint8_t> touching; ///< per group, whether one of them touches the tool
 };

@@ -23,7 +23,7 @@ struct FacetPoint {
 };
 
 /// A triangle of a tool with what its nearest points are found by.
-struct Facet {
+struct alignas(64) Facet {
   std::array<Vec3, 3> corner;
   Vec3 normal;                ///< unit, outward
   double offset;              ///< normal . x of its plane [m]

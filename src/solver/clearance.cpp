@@ -38,7 +38,7 @@ private:
     const Tool& tool = model_.tools[number];
     const Vec3 x = s_.sheet.position[node] - s_.tools[number].displacement * tool.direction;
     if (least_distance(model_.contacts[contact], s_.contacts[contact], node, x) > bound) return {};
-    const int met = s_.contacts[contact].planes.facet[node];
+    const int met = s_.contacts[contact].planes.found[node].facet;
     // Who is near is quickly found from the facet that contact knows.
     const bool near = s_.contacts[contact].planes.offset[node] > no_plane;
     const SurfacePoint found = near
