@@ -94,7 +94,8 @@ void take_those_left(int count, const TableLanes& t, MembraneBatch& b)
   for (int i = 0; i < count; ++i) b.rate[t.index[i]] = t.rate[i];
 }
 
-/// Moves the unsettled ones, mostly few, to the front; returns how many.
+/// Moves the unsettled ones to the front; returns how many. All are moved, and the settled then overwritten: who is settled
+/// cannot be guessed, and a wrong guess takes longer than the move.
 int keep_unsettled(int count, TableLanes& t)
 {
   constexpr int together = 8;
@@ -104,13 +105,12 @@ int keep_unsettled(int count, TableLanes& t)
     for (int i = first; i < first + together; ++i) any |= t.unsettled[i];
     if (any == 0) continue;
     for (int i = first; i < std::min(first + together, count); ++i) {
-      if (t.unsettled[i] == 0) continue;
       t.weight[left] = t.weight[i];
       t.trial[left] = t.trial[i];
       t.rate[left] = t.rate[i];
       t.row[left] = t.row[i];
       t.index[left] = t.index[i];
-      ++left;
+      left += static_cast<int>(t.unsettled[i]);
     }
   }
   return left;
