@@ -67,6 +67,14 @@ ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t no
                                : b.own + (std::lower_bound(guests.begin(), guests.end(), e) - guests.begin());
         entry[k] = static_cast<Entry>(place + stride * family);
       }
+    b.first_of_others = static_cast<int>(of_others.size());
+    for (int place = 0; place < b.places; ++place)
+      for (int family = 0; family < 2; ++family) {
+        const int strip = strips.of[static_cast<std::size_t>(2 * mine[static_cast<std::size_t>(place)] + family)];
+        if (strip < b.first_strip || strip >= b.first_strip + b.strips)
+          of_others.push_back(static_cast<Entry>(place + stride * family));
+      }
+    b.of_others = static_cast<int>(of_others.size()) - b.first_of_others;
     blocks.push_back(b);
     b.first_element += b.own;
     b.first_strip += b.strips;

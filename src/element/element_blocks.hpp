@@ -23,6 +23,7 @@ struct ElementBlocks {
     int places = 0;                 ///< own elements, then guests in ascending order
     int first_place = 0;            ///< in `element`; in `corner` and `coefficient` times 3 and 5
     int first_strip = 0, strips = 0;
+    int first_of_others = 0, of_others = 0; ///< entries whose strips belong to other blocks
     BlockSlots::Range nodes;
   };
   /// An entry of a strip by its place in the block: place + stride * family (0 warp, 1 weft).
@@ -32,6 +33,7 @@ struct ElementBlocks {
   std::vector<int> element;          ///< of each place
   std::vector<std::uint16_t> corner; ///< of each place three, counted within the block's nodes
   std::vector<Entry> entry;          ///< of all strips, in the order of YarnStrips::entry
+  std::vector<Entry> of_others;      ///< entries of the blocks' places whose strips are other blocks'
   BlockSlots slots;                  ///< of nodes, for forces
 
   ElementBlocks() = default;
@@ -43,6 +45,10 @@ struct ElementBlocks {
   [[nodiscard]] const std::uint16_t* corners(const Block& b) const
   {
     return corner.data() + 3 * static_cast<std::ptrdiff_t>(b.first_place);
+  }
+  [[nodiscard]] std::span<const Entry> entries_of_others(const Block& b) const
+  {
+    return {of_others.data() + b.first_of_others, static_cast<std::size_t>(b.of_others)};
   }
   [[nodiscard]] int count() const { return static_cast<int>(blocks.size()); }
 };

@@ -19,12 +19,12 @@ void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int nu
   w.take(nodes, sheet.position);
   in_batches(0, block.places, [&](int first, int count) {
     gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
-    yarn_vectors(coefficients, spring, w.batch, first, count, w.lanes);
+    yarn_vectors(coefficients, w.batch, first, count, w.lanes);
   });
   w.take(nodes, motion);
   in_batches(0, block.places, [&](int first, int count) {
     gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
-    motion_strains(coefficients, spring, w.batch, first, count, w.lanes);
+    motion_strains(coefficients, w.batch, first, count, w.lanes);
   });
   const StripEntries entries = membrane.entries(block);
   sum_strips(entries, w.lanes, w.strips);
@@ -32,6 +32,7 @@ void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int nu
   for (int i = 0; i < block.strips; ++i)
     w.strips.base_tension[i] = stiffness * w.strips.sum[i] / membrane.strips.area[block.first_strip + i];
   hand_out(entries, w.strips, w.lanes);
+  leave_out(membrane.blocks.entries_of_others(block), w.lanes);
   in_batches(0, block.own, [&](int first, int count) {
     shear_angles(w.lanes, first, count, 0.0, w.batch);
     gather_edges(w.position.data(), corner + 3 * first, count, w.batch);

@@ -134,7 +134,7 @@ public:
     w_.take(membrane_.blocks.slots.points(block_.nodes), s_.position);
     in_batches(0, block_.places, [&](int first, int count) {
       gather_edges(w_.position.data(), corner_ + 3 * first, count, w_.batch);
-      yarn_vectors(coefficients_, spring_, w_.batch, first, count, w_.lanes);
+      yarn_vectors(coefficients_, w_.batch, first, count, w_.lanes);
     });
     tension_of_strips();
     double work = 0.0, dissipated = 0.0;
@@ -155,7 +155,7 @@ public:
   }
 
 private:
-  /// Tensions of the block's strips, handed to their entries; entries of other blocks' strips are without.
+  /// Tensions of the block's strips, handed to their entries.
   void tension_of_strips()
   {
     const YarnStrips& all = membrane_.strips;
@@ -165,6 +165,7 @@ private:
     strip_tensions(membrane_.yarn, viscosity, spring_, all.area.data() + block_.first_strip,
                    s_.strip_strain.data() + block_.first_strip, block_.strips, w_.strips);
     hand_out(entries, w_.strips, w_.lanes);
+    leave_out(membrane_.blocks.entries_of_others(block_), w_.lanes);
     s_.yarn_damping[number_] += sum(w_.strips.lost, block_.strips);
   }
 

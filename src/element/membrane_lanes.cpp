@@ -21,16 +21,15 @@ inline double along(double x, double y, double z, double g_1, double g_2, const 
          z * (g_1 * b.d1z[i] + g_2 * b.d2z[i]);
 }
 
-inline void set_strain(BlockLanes& lanes, int entry, double strain, double area, double spring)
+/// Force along an entry's yarn: tension times the reference area.
+inline double pull_of(const BlockLanes& lanes, double area, double spring, int entry)
 {
-  lanes.strain[entry] = strain;
-  lanes.weighed_strain[entry] = area * strain;
-  lanes.base_tension[entry] = -spring * strain;
+  return area * lanes.base_tension[entry] + spring * lanes.weighed_strain[entry];
 }
 } // namespace
 
 TOWFORM_VECTOR_CLONES
-void yarn_vectors(const MembraneCoefficients& c, double spring, const MembraneBatch& __restrict b, int first, int count,
+void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count,
                   BlockLanes& __restrict lanes)
 {
   const MembraneCoefficients g = from(c, first);
@@ -43,9 +42,10 @@ void yarn_vectors(const MembraneCoefficients& c, double spring, const MembraneBa
     const double a2z = g.weft_1[i] * b.d1z[i] + g.weft_2[i] * b.d2z[i];
     const double stretch1 = std::sqrt(a1x * a1x + a1y * a1y + a1z * a1z);
     const double stretch2 = std::sqrt(a2x * a2x + a2y * a2y + a2z * a2z);
-    const double inverse1 = 1.0 / stretch1, inverse2 = 1.0 / stretch2;
-    set_strain(lanes, first + i, stretch1 - 1.0, g.area[i], spring);
-    set_strain(lanes, BlockLanes::size + first + i, stretch2 - 1.0, g.area[i], spring);
+    const double over_both = 1.0 / (stretch1 * stretch2); // divisions take longest
+    const double inverse1 = stretch2 * over_both, inverse2 = stretch1 * over_both;
+    lanes.weighed_strain[first + i] = g.area[i] * (stretch1 - 1.0);
+    lanes.weighed_strain[BlockLanes::size + first + i] = g.area[i] * (stretch2 - 1.0);
     lanes.over_stretch[first + i] = inverse1;
     lanes.over_stretch[BlockLanes::size + first + i] = inverse2;
     lanes.f1x[first + i] = inverse1 * a1x;
@@ -69,13 +69,6 @@ void shear_angles(const BlockLanes& __restrict lanes, int first, int count, doub
     b.angle[i] = arcsine(sine) - reference_angle;
   }
 }
-
-namespace {
-inline double tension_of(const BlockLanes& lanes, double spring, int entry)
-{
-  return lanes.base_tension[entry] + spring * lanes.strain[entry];
-}
-} // namespace
 
 TOWFORM_VECTOR_CLONES
 void keep(const double* area, double dt, int count, MembraneBatch& __restrict b, const ShearLanes& state)
@@ -117,8 +110,8 @@ void shear_and_tension(const MembraneCoefficients& c, double spring, const Block
     const double area = g.area[i], sine = b.sine[i], force = b.force[i];
     const double n1 = force * lanes.over_stretch[k], n2 = force * lanes.over_stretch[BlockLanes::size + k];
     // P . f01 and P . f02 times the area
-    const double along1 = area * (tension_of(lanes, spring, k) - n1 * sine), across1 = area * n1;
-    const double along2 = area * (tension_of(lanes, spring, BlockLanes::size + k) - n2 * sine), across2 = area * n2;
+    const double across1 = area * n1, along1 = pull_of(lanes, area, spring, k) - across1 * sine;
+    const double across2 = area * n2, along2 = pull_of(lanes, area, spring, BlockLanes::size + k) - across2 * sine;
     const double t1x = along1 * lanes.f1x[k] + across1 * lanes.f2x[k];
     const double t1y = along1 * lanes.f1y[k] + across1 * lanes.f2y[k];
     const double t1z = along1 * lanes.f1z[k] + across1 * lanes.f2z[k];
@@ -141,8 +134,8 @@ void tension(const MembraneCoefficients& c, double spring, const BlockLanes& __r
   const MembraneCoefficients g = from(c, first);
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
-    const double warp = g.area[i] * tension_of(lanes, spring, k);
-    const double weft = g.area[i] * tension_of(lanes, spring, BlockLanes::size + k);
+    const double warp = pull_of(lanes, g.area[i], spring, k);
+    const double weft = pull_of(lanes, g.area[i], spring, BlockLanes::size + k);
     const double warp1 = -warp * g.warp_1[i], warp2 = -warp * g.warp_2[i];
     const double weft1 = -weft * g.weft_1[i], weft2 = -weft * g.weft_2[i];
     b.p1x[i] = warp1 * lanes.f1x[k] + weft1 * lanes.f2x[k];
@@ -189,8 +182,13 @@ void hand_out(const StripEntries& s, const StripLanes& strips, BlockLanes& lanes
   }
 }
 
+void leave_out(std::span<const ElementBlocks::Entry> entries, BlockLanes& lanes)
+{
+  for (const ElementBlocks::Entry entry : entries) lanes.base_tension[entry] = lanes.weighed_strain[entry] = 0.0;
+}
+
 TOWFORM_VECTOR_CLONES
-void motion_strains(const MembraneCoefficients& c, double spring, const MembraneBatch& __restrict b, int first, int count,
+void motion_strains(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count,
                     BlockLanes& __restrict lanes)
 {
   const MembraneCoefficients g = from(c, first);
@@ -198,8 +196,8 @@ void motion_strains(const MembraneCoefficients& c, double spring, const Membrane
     const int k = first + i;
     const double warp = along(lanes.f1x[k], lanes.f1y[k], lanes.f1z[k], g.warp_1[i], g.warp_2[i], b, i);
     const double weft = along(lanes.f2x[k], lanes.f2y[k], lanes.f2z[k], g.weft_1[i], g.weft_2[i], b, i);
-    set_strain(lanes, k, warp, g.area[i], spring);
-    set_strain(lanes, BlockLanes::size + k, weft, g.area[i], spring);
+    lanes.weighed_strain[k] = g.area[i] * warp;
+    lanes.weighed_strain[BlockLanes::size + k] = g.area[i] * weft;
   }
 }
 
@@ -212,11 +210,12 @@ void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLane
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const double sine = b.sine[i];
+    const double along1 = along(lanes.f1x[k], lanes.f1y[k], lanes.f1z[k], g.warp_1[i], g.warp_2[i], b, i);
+    const double along2 = along(lanes.f2x[k], lanes.f2y[k], lanes.f2z[k], g.weft_1[i], g.weft_2[i], b, i);
     const double across1 = along(lanes.f2x[k], lanes.f2y[k], lanes.f2z[k], g.warp_1[i], g.warp_2[i], b, i);
     const double across2 = along(lanes.f1x[k], lanes.f1y[k], lanes.f1z[k], g.weft_1[i], g.weft_2[i], b, i);
-    const double turned = lanes.over_stretch[k] * (across1 - sine * lanes.strain[k]) +
-                          lanes.over_stretch[BlockLanes::size + k] *
-                              (across2 - sine * lanes.strain[BlockLanes::size + k]);
+    const double turned = lanes.over_stretch[k] * (across1 - sine * along1) +
+                          lanes.over_stretch[BlockLanes::size + k] * (across2 - sine * along2);
     constexpr double least_square = 1e-12; // of the cosine
     const double square = 1.0 - sine * sine;
     b.force[i] = modulus * turned / std::sqrt(square > least_square ? square : least_square);

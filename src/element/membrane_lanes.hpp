@@ -14,8 +14,7 @@ struct BlockLanes {
   using Families = double[2 * size];  // NOLINT(modernize-avoid-c-arrays): warps, then wefts
   alignas(64) Lanes f1x, f1y, f1z, f2x, f2y, f2z; ///< unit yarn vectors
   alignas(64) Families over_stretch;              ///< 1/lambda
-  alignas(64) Families strain;                    ///< lambda - 1
-  alignas(64) Families weighed_strain;            ///< times the reference area [m^2]
+  alignas(64) Families weighed_strain;            ///< (lambda - 1) times the reference area [m^2]
   alignas(64) Families base_tension;              ///< tension less that of the element's own spring [N/m]
 };
 
@@ -51,10 +50,8 @@ struct MembraneCoefficients {
   const double *warp_1, *warp_2, *weft_1, *weft_2, *area;
 };
 
-/// Yarn vectors and strains of places first, first + 1, ... of the block from the batch's edges. `spring` is that of
-/// elements to their strips [N/m]: base tensions begin such that there is none where the strip is another block's.
-void yarn_vectors(const MembraneCoefficients& c, double spring, const MembraneBatch& b, int first, int count,
-                  BlockLanes& lanes);
+/// Yarn vectors and strains of places first, first + 1, ... of the block from the batch's edges.
+void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& b, int first, int count, BlockLanes& lanes);
 
 /// Sine and shear angle, counted from `reference_angle` [rad].
 void shear_angles(const BlockLanes& lanes, int first, int count, double reference_angle, MembraneBatch& b);
@@ -69,14 +66,13 @@ void keep(const double* area, double dt, int count, MembraneBatch& b, const Shea
 /// Sum in an order that vectors share: eight sums side by side, then these.
 double sum(const double* values, int count);
 
-/// Corner forces of tension and shear.
+/// Corner forces of tension and shear; `spring` is that of elements to their strips [N/m].
 void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& lanes, int first, int count,
                        MembraneBatch& b);
 
 /// The same of small motions, whose edges are in the batch: strains along yarns that stay as they are, and shear force at
 /// `modulus` dN/dtheta [N/m].
-void motion_strains(const MembraneCoefficients& c, double spring, const MembraneBatch& b, int first, int count,
-                    BlockLanes& lanes);
+void motion_strains(const MembraneCoefficients& c, const MembraneBatch& b, int first, int count, BlockLanes& lanes);
 void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLanes& lanes, int first, int count,
                   MembraneBatch& b);
 
@@ -93,6 +89,8 @@ struct StripEntries {
 /// Sums the weighed strains of every strip's entries, and hands the strips' base tensions to their entries.
 void sum_strips(const StripEntries& s, const BlockLanes& lanes, StripLanes& strips);
 void hand_out(const StripEntries& s, const StripLanes& strips, BlockLanes& lanes);
+/// No tension, nor spring, where the strip is another block's.
+void leave_out(std::span<const ElementBlocks::Entry> entries, BlockLanes& lanes);
 
 /// Base tensions of strips from the sums over their entries, `viscosity` [N/m] times the change of strain being the
 /// tension of damping; advances `strain`. `area` of each strip [m^2].
