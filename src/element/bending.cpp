@@ -30,7 +30,7 @@ Bending::Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std:
     b.nodes = static_cast<int>(std::min<std::size_t>(block_size, nodes - first));
     const auto each_term = [&, this](const auto& work) {
       for (int t = curvature.first[first]; t < curvature.first[first + static_cast<std::size_t>(b.nodes)]; ++t)
-        work(curvature.terms[t].point);
+        work(curvature.point[t]);
     };
     std::vector<int> reached;
     each_term([&](int point) { reached.push_back(point); });
@@ -48,6 +48,8 @@ Bending::Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std:
     blocks.push_back(b);
   }
   slots.finish(points);
+  term_point.shrink_to_fit();
+  ends.shrink_to_fit();
 }
 
 std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
@@ -57,18 +59,18 @@ std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
   for (std::size_t n = 0; n < curvature.nodes(); ++n) {
     std::array<double, 2> sum{};
     for (int t = curvature.first[n]; t < curvature.first[n + 1]; ++t) {
-      sum[0] += std::abs(curvature.terms[t].warp);
-      sum[1] += std::abs(curvature.terms[t].weft);
+      sum[0] += std::abs(curvature.weight[t].warp);
+      sum[1] += std::abs(curvature.weight[t].weft);
     }
     for (int t = curvature.first[n]; t < curvature.first[n + 1]; ++t) {
-      const CurvatureOperator::Term& term = curvature.terms[t];
-      const auto point = static_cast<std::size_t>(term.point);
+      const YarnPair& weight = curvature.weight[t];
+      const auto point = static_cast<std::size_t>(curvature.point[t]);
       const std::size_t node = point < mass.size()
                                    ? point
                                    : static_cast<std::size_t>(curvature.images[point - mass.size()].source);
       bound[node] +=
           area[n] *
-          (stiffness[0] * sum[0] * std::abs(term.warp) + stiffness[1] * sum[1] * std::abs(term.weft)) /
+          (stiffness[0] * sum[0] * std::abs(weight.warp) + stiffness[1] * sum[1] * std::abs(weight.weft)) /
           mass[node];
     }
   }
@@ -102,7 +104,7 @@ struct BendingLanes {
 /// What the nodes of a block are made of.
 struct Patches {
   const int* first;                         ///< of each node's terms, one more
-  const CurvatureOperator::Term* terms;     ///< of the whole sheet
+  const YarnPair* weight;                   ///< of each term of the whole sheet
   const std::uint16_t* point;               ///< likewise
   const std::array<std::uint16_t, 4>* ends; ///< of each node
 };
@@ -114,8 +116,8 @@ void gather(const Patches& p, int nodes, const Padded* __restrict x, BendingLane
     Vec4 warp{}, weft{};
     for (int t = p.first[n]; t < p.first[n + 1]; ++t) {
       const Vec4 at = x[p.point[t]].v;
-      warp += p.terms[t].warp * at;
-      weft += p.terms[t].weft * at;
+      warp += p.weight[t].warp * at;
+      weft += p.weight[t].weft * at;
     }
     const auto [a0, a1, b0, b1] = p.ends[n];
     const Vec4 a = x[a1].v - x[a0].v, b = x[b1].v - x[b0].v;
@@ -177,7 +179,7 @@ void add_forces(const Patches& p, int nodes, const BendingLanes& __restrict l, P
     const Vec4 normal{l.nx[n], l.ny[n], l.nz[n], 0.0};
     const Vec4 warp = l.warp_moment[n] * normal, weft = l.weft_moment[n] * normal;
     for (int t = p.first[n]; t < p.first[n + 1]; ++t)
-      force[p.point[t]].v -= p.terms[t].warp * warp + p.terms[t].weft * weft;
+      force[p.point[t]].v -= p.weight[t].warp * warp + p.weight[t].weft * weft;
     const auto [a0, a1, b0, b1] = p.ends[n];
     const Vec4 on_a{l.on_ax[n], l.on_ay[n], l.on_az[n], 0.0}, on_b{l.on_bx[n], l.on_by[n], l.on_bz[n], 0.0};
     force[a0].v += on_a;
@@ -233,7 +235,7 @@ struct BendingWork {
   }
   static Patches patches(const Bending& bending, const Bending::Block& block)
   {
-    return {bending.curvature.first.data() + block.first_node, bending.curvature.terms.data(),
+    return {bending.curvature.first.data() + block.first_node, bending.curvature.weight.data(),
             bending.term_point.data(), bending.ends.data() + block.first_node};
   }
 };
@@ -309,8 +311,8 @@ void linear_bending_forces(const Bending& bending, double factor, std::span<cons
     for (int n = 0; n < block.nodes; ++n) { // the normals stay, the rest is the motion's
       Vec4 warp{}, weft{};
       for (int t = patches.first[n]; t < patches.first[n + 1]; ++t) {
-        warp += patches.terms[t].warp * w.position[patches.point[t]].v;
-        weft += patches.terms[t].weft * w.position[patches.point[t]].v;
+        warp += patches.weight[t].warp * w.position[patches.point[t]].v;
+        weft += patches.weight[t].weft * w.position[patches.point[t]].v;
       }
       const double area = bending.area[block.first_node + n];
       l.warp_moment[n] = area * warp_stiffness * (l.nx[n] * warp[0] + l.ny[n] * warp[1] + l.nz[n] * warp[2]);

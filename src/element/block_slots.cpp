@@ -14,6 +14,7 @@ BlockSlots::Range BlockSlots::add(std::vector<int> points)
 
 void BlockSlots::finish(std::size_t points)
 {
+  point_.shrink_to_fit();
   first_of_.assign(points + 1, 0);
   for (const int p : point_) ++first_of_[static_cast<std::size_t>(p) + 1];
   for (std::size_t p = 0; p < points; ++p) first_of_[p + 1] += first_of_[p];

@@ -104,12 +104,16 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
     if (balance > 0 && fitted)
       imbalance = std::max(imbalance, balance_moments(sheet, blank.mesh, fits, area, f, balance, weights[d]));
   }
+  first.reserve(sheet.nodes + 1);
   first.push_back(0);
-  for (std::size_t n = 0; n < sheet.nodes; ++n) {
-    for (std::size_t i = 0; i < fits[n].points.size(); ++i)
-      terms.push_back({fits[n].points[i], weights[0][n][i], weights[1][n][i]});
-    first.push_back(static_cast<int>(terms.size()));
-  }
+  for (const QuadraticFit& fit : fits) first.push_back(first.back() + static_cast<int>(fit.points.size()));
+  point.reserve(static_cast<std::size_t>(first.back()));
+  weight.reserve(point.capacity());
+  for (std::size_t n = 0; n < sheet.nodes; ++n)
+    for (std::size_t i = 0; i < fits[n].points.size(); ++i) {
+      point.push_back(fits[n].points[i]);
+      weight.push_back({weights[0][n][i], weights[1][n][i]});
+    }
 }
 
 bool CurvatureOperator::complete() const
@@ -129,8 +133,8 @@ std::vector<YarnPair> CurvatureOperator::at(std::span<const Vec3> position) cons
     for (auto n = begin; n < end; ++n) {
       Vec3 warp, weft;
       for (int t = first[n]; t < first[n + 1]; ++t) {
-        warp += terms[t].warp * x[terms[t].point];
-        weft += terms[t].weft * x[terms[t].point];
+        warp += weight[t].warp * x[point[t]];
+        weft += weight[t].weft * x[point[t]];
       }
       const Chords& c = chords[n];
       const Vec3 normal = normalized(cross(x[c.a1] - x[c.a0], x[c.b1] - x[c.b0]));

@@ -14,18 +14,15 @@ namespace towform {
 /// Exact where positions are quadratic over the flat blank, whatever the mesh. Yarns being nearly
 /// inextensible, this is the curvature of the yarn itself; its bending in the sheet's plane is left out.
 struct CurvatureOperator {
-  /// A point's share in the second derivatives at a node; points beyond the nodes are images.
-  struct Term {
-    int point;
-    double warp, weft; ///< c_k^1, c_k^2 [1/m^2]
-  };
   /// The normal at a node lies along (x_a1 - x_a0) x (x_b1 - x_b0), two chords across its ring.
   struct Chords {
     int a0, a1, b0, b1;
   };
 
-  std::vector<int> first;  ///< n + 1, of each node's terms
-  std::vector<Term> terms; ///< the node's own first
+  // Terms: points' shares in the second derivatives at a node, its own first.
+  std::vector<int> first;       ///< n + 1, of each node's terms
+  std::vector<int> point;       ///< of each term; points beyond the nodes are images
+  std::vector<YarnPair> weight; ///< likewise, c_k^1 and c_k^2 [1/m^2]
   std::vector<Chords> chords;
   std::vector<MirrorImage> images;
   double imbalance = 0.0; ///< of the moments, over that of the fits alone

@@ -80,6 +80,9 @@ ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t no
     b.first_strip += b.strips;
   }
   slots.finish(nodes);
+  element.shrink_to_fit();
+  corner.shrink_to_fit();
+  of_others.shrink_to_fit();
 }
 
 } // namespace towform

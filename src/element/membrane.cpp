@@ -48,6 +48,7 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
 
 void Membrane::fill_places()
 {
+  coefficients_.reserve(5 * blocks.element.size());
   for (ElementBlocks::Block& b : blocks.blocks) {
     const std::size_t places = static_cast<std::size_t>(b.places), first = coefficients_.size();
     coefficients_.resize(first + 5 * places);

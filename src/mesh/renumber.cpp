@@ -71,6 +71,7 @@ void renumber(SurfaceMesh& mesh)
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   }
   std::sort(mesh.triangles.begin(), mesh.triangles.end());
+  mesh.triangles.shrink_to_fit();
 }
 
 } // namespace towform

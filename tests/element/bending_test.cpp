@@ -53,8 +53,8 @@ TEST(Curvature, IsExactForEveryQuadraticOnEveryMesh)
     for (std::size_t n = 0; n < op.nodes(); ++n) {
       double warp = 0.0, weft = 0.0;
       for (int t = op.first[n]; t < op.first[n + 1]; ++t) {
-        warp += op.terms[t].warp * field(blank.mesh.points[op.terms[t].point]);
-        weft += op.terms[t].weft * field(blank.mesh.points[op.terms[t].point]);
+        warp += op.weight[t].warp * field(blank.mesh.points[op.point[t]]);
+        weft += op.weight[t].weft * field(blank.mesh.points[op.point[t]]);
       }
       // Weights are of order 1e5 1/m^2 on values of order 1.
       EXPECT_NEAR(warp, second(blank.warp), 1e-9) << named(pattern, angle);
@@ -108,8 +108,8 @@ Eigen::MatrixXd stiffness_of(const Bending& bending)
   Eigen::MatrixXd warp = Eigen::MatrixXd::Zero(n, n), weft = warp;
   for (Eigen::Index i = 0; i < n; ++i)
     for (int t = op.first[i]; t < op.first[i + 1]; ++t) {
-      warp(i, op.terms[t].point) += op.terms[t].warp * std::sqrt(bending.area[i] * bending.warp.stiffness());
-      weft(i, op.terms[t].point) += op.terms[t].weft * std::sqrt(bending.area[i] * bending.weft.stiffness());
+      warp(i, op.point[t]) += op.weight[t].warp * std::sqrt(bending.area[i] * bending.warp.stiffness());
+      weft(i, op.point[t]) += op.weight[t].weft * std::sqrt(bending.area[i] * bending.weft.stiffness());
     }
   return warp.transpose() * warp + weft.transpose() * weft;
 }
@@ -150,7 +150,7 @@ TEST(Bending, PatchBentUniformlyHasNoWayRoundItsStiffness)
     const Eigen::VectorXd load = (k * bent)(inside);
     const double gained = load.dot(k(inside, inside).ldlt().solve(load)) / (stiffness * area);
     const double terms =
-        static_cast<double>(bending.curvature.terms.size()) / static_cast<double>(bent.size());
+        static_cast<double>(bending.curvature.weight.size()) / static_cast<double>(bent.size());
     std::printf("%s: stiffness %.6f, imbalance left %.1e, %.1f terms a node\n", named(pattern, angle).c_str(),
                 1.0 - gained, bending.curvature.imbalance, terms);
     EXPECT_LT(gained, 1e-3) << named(pattern, angle);
