@@ -4,8 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +32,10 @@ struct Frame {
   std::vector<double> temperature;                 ///< m [K]
 };
 
+/// Makes a frame field by field: called with the name of one in the file, returns a frame of which that field alone need be
+/// there. So a frame of a fine mesh never stands in memory as a whole.
+using FieldSource = std::function<Frame(std::string_view field)>;
+
 /// Where a result came from; becomes the root attributes of results.h5.
 struct Provenance {
   std::string version, git_hash, flags;
@@ -51,11 +57,15 @@ public:
   /// Goes on with DIR/results.h5 after its first `frames` frames; later ones are removed.
   ResultsWriter(std::filesystem::path directory, const SurfaceMesh& blank, int frames);
   void append(const Frame& frame);
+  /// A frame at `time` [s]; `clearance` says whether it has that field.
+  void append(double time, bool clearance, const FieldSource& source);
   /// Sets the root attribute `status`: "done" or why the run stopped.
   void finish(const std::string& status);
   [[nodiscard]] int frames() const { return static_cast<int>(times_.size()); }
 
 private:
+  template <class Each>
+  void append_fields(double time, bool clearance, const Each& each);
   void write_xdmf() const;
 
   std::filesystem::path directory_;

@@ -99,34 +99,37 @@ void refuse_other_writers(const fs::path& path)
     throw FileError(fmt::format("{}: is open for writing in another program; close it there", path.string()));
 }
 
-/// Bytes a frame takes; throws std::invalid_argument when an array has a wrong
-/// length.
-std::size_t frame_bytes(const Frame& frame, std::size_t nodes, std::size_t elements)
+std::size_t rows_of(const Field& field, std::size_t nodes, std::size_t elements)
+{
+  return field.centre == Field::Centre::node ? nodes : elements;
+}
+
+/// Bytes a frame takes.
+std::size_t frame_bytes(bool optional, std::size_t nodes, std::size_t elements)
 {
   std::size_t bytes = header_bytes;
-  for (const Field& field : fields()) {
-    const std::size_t rows = field.values(frame).rows;
-    if (field.optional && rows == 0) continue;
-    const std::size_t expected = field.centre == Field::Centre::node ? nodes : elements;
-    if (rows != expected)
-      throw std::invalid_argument(
-          fmt::format("frame: {} has {} rows instead of {}", field.name, rows, expected));
-    bytes += rows * static_cast<std::size_t>(field.components) * size_of(field.stored);
-  }
+  for (const Field& field : fields())
+    if (optional || !field.optional)
+      bytes += rows_of(field, nodes, elements) * static_cast<std::size_t>(field.components) * size_of(field.stored);
   return bytes;
 }
 
-// Not compressed: deflate at level 1 takes a quarter off the size of a noisy field and eight times as long.
-void write_fields(hid_t group, const Frame& frame)
+/// Throws std::invalid_argument when an array has a wrong length.
+void check_rows(const Field& field, const Frame& frame, std::size_t nodes, std::size_t elements)
 {
-  for (const Field& field : fields()) {
-    const Field::Values values = field.values(frame);
-    if (field.optional && values.rows == 0) continue;
-    hdf5::Shape shape{values.rows};
-    if (field.components > 1) shape.push_back(static_cast<hsize_t>(field.components));
-    const hid_t memory = field.stored == Field::Number::int32 ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE;
-    write_with_units(group, field.name, shape, memory, file_type(field.stored), values.data, field.units);
-  }
+  const std::size_t rows = field.values(frame).rows, expected = rows_of(field, nodes, elements);
+  if (rows != expected)
+    throw std::invalid_argument(fmt::format("frame: {} has {} rows instead of {}", field.name, rows, expected));
+}
+
+// Not compressed: deflate at level 1 takes a quarter off the size of a noisy field and eight times as long.
+void write_field(hid_t group, const Field& field, const Frame& frame)
+{
+  const Field::Values values = field.values(frame);
+  hdf5::Shape shape{values.rows};
+  if (field.components > 1) shape.push_back(static_cast<hsize_t>(field.components));
+  const hid_t memory = field.stored == Field::Number::int32 ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE;
+  write_with_units(group, field.name, shape, memory, file_type(field.stored), values.data, field.units);
 }
 
 } // namespace
@@ -193,24 +196,44 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, int f
 
 void ResultsWriter::append(const Frame& frame)
 {
-  if (times_.empty()) clearance_ = !frame.clearance.empty();
-  if (clearance_ == frame.clearance.empty())
-    throw std::invalid_argument("frame: clearance in some frames only");
+  const bool clearance = !frame.clearance.empty();
+  for (const Field& field : fields())
+    if (clearance || !field.optional) check_rows(field, frame, nodes_, elements_);
+  append_fields(frame.time, clearance, [&](const Field&, const auto& write) { write(frame); });
+}
+
+void ResultsWriter::append(double time, bool clearance, const FieldSource& source)
+{
+  append_fields(time, clearance, [&](const Field& field, const auto& write) {
+    const Frame part = source(field.name);
+    check_rows(field, part, nodes_, elements_);
+    write(part);
+  });
+}
+
+/// Calls each(field, write) for the fields, which calls write(frame) with a frame that has the field.
+template <class Each>
+void ResultsWriter::append_fields(double time, bool clearance, const Each& each)
+{
+  if (times_.empty()) clearance_ = clearance;
+  if (clearance_ != clearance) throw std::invalid_argument("frame: clearance in some frames only");
   const fs::path path = results_path(directory_);
   refuse_other_writers(path);
-  reserve_space(path, frame_bytes(frame, nodes_, elements_));
+  reserve_space(path, frame_bytes(clearance, nodes_, elements_));
   hdf5::File file = hdf5::File::open(path, hdf5::File::Mode::append);
   {
     // The frame is in the file, whole, before it gets its name: whenever the program dies, the file can be
     // read and no part of a frame is in it.
     const hdf5::Group group = hdf5::create_unnamed_group(file.id());
-    hdf5::write_attribute(group.id(), "time", frame.time);
-    write_fields(group.id(), frame);
+    hdf5::write_attribute(group.id(), "time", time);
+    for (const Field& field : fields())
+      if (clearance || !field.optional)
+        each(field, [&](const Frame& frame) { write_field(group.id(), field, frame); });
     file.flush();
     hdf5::name_object(group.id(), file.id(), fmt::format("/frames/{:04}", times_.size()));
   }
   file.close();
-  times_.push_back(frame.time);
+  times_.push_back(time);
   write_xdmf();
 }
 

@@ -108,8 +108,9 @@ void Recorder::history(const System& s)
 
 void Recorder::frame(const System& s, Progress& progress)
 {
-  results_->append(
-      make_frame(model_, s, own_curvature_ ? *own_curvature_ : model_.bending.front().curvature));
+  const CurvatureOperator& curvature = own_curvature_ ? *own_curvature_ : model_.bending.front().curvature;
+  results_->append(s.sheet.time, !model_.tools.empty(),
+                   [&](std::string_view field) { return frame_field(model_, s, curvature, field); });
   ++record_.frames;
   std::string forces;
   for (std::size_t i = 0; i < s.tools.size(); ++i)

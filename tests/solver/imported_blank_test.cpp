@@ -157,10 +157,10 @@ TEST_F(ImportedBlankCase, ThicknessOfObliqueYarnsStartsAsGiven)
   const Model model = build_model(c);
   System s = start(model);
   const CurvatureOperator curvature(model.blank, {}, 0);
-  for (const double h : make_frame(model, s, curvature).thickness) EXPECT_NEAR(h, 1e-3, 1e-15);
+  for (const double h : frame_field(model, s, curvature, "thickness").thickness) EXPECT_NEAR(h, 1e-3, 1e-15);
   for (Vec3& x : s.sheet.position) x = {1.25 * x.x, 1.6 * x.y, 0.0}; // twice the area
   evaluate_forces(model, s, model.first_step, *std::make_unique<Phases>());
-  for (const double h : make_frame(model, s, curvature).thickness) EXPECT_NEAR(h, 0.5e-3, 1e-15);
+  for (const double h : frame_field(model, s, curvature, "thickness").thickness) EXPECT_NEAR(h, 0.5e-3, 1e-15);
 }
 
 } // namespace

@@ -39,8 +39,9 @@ TEST(Frames, HoldTheCurvatureOfASheetThatDoesNotResistIt)
   const Model model = build_model(c);
   System s = start(model);
   s.sheet.position = test::rolled(model.blank, 0.05, 0.0); // about y: along the warp
-  const Frame frame = make_frame(model, s, CurvatureOperator(model.blank, model.clamped, 0));
-  EXPECT_TRUE(frame.clearance.empty()); // there are no tools
+  const CurvatureOperator curvature(model.blank, model.clamped, 0);
+  const Frame frame = frame_field(model, s, curvature, "curvature");
+  EXPECT_TRUE(frame_field(model, s, curvature, "clearance").clearance.empty()); // there are no tools
   ASSERT_EQ(frame.curvature.size(), model.membrane.triangles.size());
   for (const auto& k : frame.curvature) {
     EXPECT_NEAR(k[0], 20.0, 0.2); // 1/R, to (h/R)^2 = 0.01
@@ -93,7 +94,7 @@ TEST_F(Clearances, AreDistancesFromTheNearestTool)
   const Model model = build_model(read());
   System s = start(model);
   s.tools[0].displacement = 1e-3; // the ball's motion is along z: it has risen by 1 mm
-  const Frame frame = make_frame(model, s, CurvatureOperator(model.blank, model.clamped, 0));
+  const Frame frame = frame_field(model, s, CurvatureOperator(model.blank, model.clamped, 0), "clearance");
   ASSERT_EQ(frame.clearance.size(), model.mass.size());
   for (std::size_t n = 0; n < model.mass.size(); ++n) {
     const Vec3& x = model.blank.mesh.points[n];
@@ -109,7 +110,7 @@ TEST_F(Clearances, AreNegativeInsideATool)
   const Model model = build_model(read());
   System s = start(model);
   for (Vec3& x : s.sheet.position) x.z -= 2e-3;
-  const Frame frame = make_frame(model, s, CurvatureOperator(model.blank, model.clamped, 0));
+  const Frame frame = frame_field(model, s, CurvatureOperator(model.blank, model.clamped, 0), "clearance");
   for (std::size_t n = 0; n < model.mass.size(); ++n)
     if (std::abs(model.blank.mesh.points[n].x) > 0.025) {
       EXPECT_NEAR(frame.clearance[n], -2e-3, 1e-9);
