@@ -1,5 +1,6 @@
 #include "element/curvature.hpp"
 #include "element/moment_balance.hpp"
+#include "mesh/outline.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,16 @@ std::vector<double> areas_of(const SurfaceMesh& flat)
   return area;
 }
 
+/// Of the fits' weights none but those of nodes on the outline are wanted any more: a third of what fine meshes take.
+void keep_slopes_on_outline(const SurfaceMesh& flat, std::vector<QuadraticFit>& fits)
+{
+  std::vector<char> is_wanted(fits.size(), 0);
+  for (const auto& edge : outline_edges(flat.triangles))
+    for (const int n : edge) is_wanted[n] = 1;
+  for (std::size_t n = 0; n < fits.size(); ++n)
+    if (is_wanted[n] == 0) std::vector<QuadraticFit::Weights>().swap(fits[n].weights);
+}
+
 } // namespace
 
 CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const SymmetryLine> clamped, int balance)
@@ -96,14 +107,19 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
   const std::vector<double> area = areas_of(blank.mesh);
   for (std::size_t d = 0; d < 2; ++d) {
     const Vec3& f = directions[d];
+    weights[d].reserve(fits.size());
     for (const QuadraticFit& fit : fits) {
-      weights[d].emplace_back();
+      std::vector<double>& of_node = weights[d].emplace_back();
+      of_node.reserve(fit.weights.size());
       for (const QuadraticFit::Weights& w : fit.weights)
-        weights[d].back().push_back(f.x * f.x * w.xx + 2.0 * f.x * f.y * w.xy + f.y * f.y * w.yy);
+        of_node.push_back(f.x * f.x * w.xx + 2.0 * f.x * f.y * w.xy + f.y * f.y * w.yy);
     }
-    if (balance > 0 && fitted)
-      imbalance = std::max(imbalance, balance_moments(sheet, blank.mesh, fits, area, f, balance, weights[d]));
   }
+  keep_slopes_on_outline(blank.mesh, fits);
+  if (balance > 0 && fitted)
+    for (std::size_t d = 0; d < 2; ++d)
+      imbalance = std::max(imbalance,
+                           balance_moments(sheet, blank.mesh, fits, area, directions[d], balance, weights[d]));
   first.reserve(sheet.nodes + 1);
   first.push_back(0);
   for (const QuadraticFit& fit : fits) first.push_back(first.back() + static_cast<int>(fit.points.size()));

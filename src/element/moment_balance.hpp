@@ -14,7 +14,8 @@ using DirectionalWeights = std::vector<std::vector<double>>;
 /// ways round its stiffness between the nodes and bends 5 to 50 % too easily, however fine the mesh. The
 /// change is the least one, sum_n A_n r_n^4 |change|^2, that keeps quadratics exact. Solved by conjugate
 /// gradients, which reach what counts (waves as short as the mesh) first: the error in stiffness is below
-/// 1e-3 after 10 iterations on a mesh of any size. `area` per node [m^2]. Returns what is left of the largest
+/// 1e-3 after 10 iterations on a mesh of any size. `area` per node [m^2]; the fits' weights are wanted on the
+/// outline only. Returns what is left of the largest
 /// imbalance, over its size at the start.
 double balance_moments(const MirroredSheet& sheet, const SurfaceMesh& flat,
                        std::span<const QuadraticFit> fits, std::span<const double> area,
