@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <iterator>
 #include <stdexcept>
 
@@ -225,28 +226,41 @@ FieldExtremes field_extremes(const Membrane& membrane, const System& s)
   const std::vector<int>& strip = membrane.strips.of;
   const std::size_t elements = s.sheet.shear_angle.size();
   std::vector<double> shear(elements), strain(elements), compression(elements);
-  for (std::size_t e = 0; e < elements; ++e) {
-    shear[e] = std::abs(s.sheet.shear_angle[e]);
-    const double warp = s.sheet.strip_strain[strip[2 * e]], weft = s.sheet.strip_strain[strip[2 * e + 1]];
-    strain[e] = std::max(std::abs(warp), std::abs(weft));
-    compression[e] = std::max({0.0, -warp, -weft});
-  }
+  parallel_ranges(static_cast<std::ptrdiff_t>(elements), [&](auto begin, auto end) {
+    for (auto e = begin; e < end; ++e) {
+      shear[e] = std::abs(s.sheet.shear_angle[e]);
+      const double warp = s.sheet.strip_strain[strip[2 * e]], weft = s.sheet.strip_strain[strip[2 * e + 1]];
+      strain[e] = std::max(std::abs(warp), std::abs(weft));
+      compression[e] = std::max({0.0, -warp, -weft});
+    }
+  });
   FieldExtremes x;
-  x.most_sheared = static_cast<int>(std::max_element(shear.begin(), shear.end()) - shear.begin());
-  x.most_strained = static_cast<int>(std::max_element(strain.begin(), strain.end()) - strain.begin());
-  x.shear_max = shear[x.most_sheared];
-  x.strain_max = strain[x.most_strained];
+  const auto place_of_largest = [](const std::vector<double>& v) {
+    return static_cast<int>(std::max_element(v.begin(), v.end()) - v.begin());
+  };
   const auto fraction_over = [&](const std::vector<double>& values, double limit) {
     return static_cast<double>(
                std::count_if(values.begin(), values.end(), [limit](double v) { return v > limit; })) /
            static_cast<double>(elements);
   };
-  x.strain_over_2_percent = fraction_over(strain, 0.02);
-  x.compression_max = *std::max_element(compression.begin(), compression.end());
-  x.compression_over_half_percent = fraction_over(compression, 0.005);
-  x.compression_p99 = percentile_99(std::move(compression));
-  x.shear_p99 = percentile_99(std::move(shear));
-  x.strain_p99 = percentile_99(std::move(strain));
+  const std::array<std::function<void()>, 3> of_fields{
+      [&] {
+        x.most_sheared = place_of_largest(shear);
+        x.shear_max = shear[x.most_sheared];
+        x.shear_p99 = percentile_99(std::move(shear));
+      },
+      [&] {
+        x.most_strained = place_of_largest(strain);
+        x.strain_max = strain[x.most_strained];
+        x.strain_over_2_percent = fraction_over(strain, 0.02);
+        x.strain_p99 = percentile_99(std::move(strain));
+      },
+      [&] {
+        x.compression_max = *std::max_element(compression.begin(), compression.end());
+        x.compression_over_half_percent = fraction_over(compression, 0.005);
+        x.compression_p99 = percentile_99(std::move(compression));
+      }};
+  parallel_each(static_cast<int>(of_fields.size()), [&](int i) { of_fields[i](); });
   return x;
 }
 
