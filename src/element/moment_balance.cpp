@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 namespace towform {
@@ -38,15 +39,13 @@ class Changes {
 public:
   Changes(const MirroredSheet& sheet, std::span<const QuadraticFit> fits) : sheet_(sheet), fits_(fits)
   {
+    std::map<std::vector<std::int32_t>, int> known;
+    basis_of_.reserve(fits.size());
     for (const QuadraticFit& fit : fits) {
-      const auto count = static_cast<Eigen::Index>(fit.points.size());
-      Eigen::MatrixXd polynomials(count, 6);
-      for (Eigen::Index i = 0; i < count; ++i) {
-        const Vec3 d = (1.0 / fit.radius) * (sheet.points[fit.points[i]] - sheet.points[fit.points[0]]);
-        polynomials.row(i) << 1.0, d.x, d.y, d.x * d.x, d.x * d.y, d.y * d.y;
-      }
-      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(polynomials);
-      basis_.emplace_back(qr.householderQ() * Eigen::MatrixXd::Identity(count, 6));
+      const auto [at, is_new] = known.try_emplace(shape(fit), static_cast<int>(basis_.size()));
+      basis_of_.push_back(at->second);
+      if (is_new) basis_.push_back(basis(fit));
+      if (known.size() > most_known) known.clear();
     }
   }
 
@@ -55,20 +54,57 @@ public:
     const QuadraticFit& fit = fits_[n];
     Eigen::VectorXd v(static_cast<Eigen::Index>(fit.points.size()));
     for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = multiplier[sheet_.source(fit.points[i])];
-    v -= basis_[n] * (basis_[n].transpose() * v).eval();
+    const Eigen::MatrixXd& basis = basis_of(n);
+    v -= basis * (basis.transpose() * v).eval();
     return v / std::pow(fit.radius, 4);
   }
 
   /// Largest weight of a point on its own change, for a preconditioner.
   [[nodiscard]] double own(std::size_t n, Eigen::Index i) const
   {
-    return std::max(1.0 - basis_[n].row(i).squaredNorm(), 0.0) / std::pow(fits_[n].radius, 4);
+    return std::max(1.0 - basis_of(n).row(i).squaredNorm(), 0.0) / std::pow(fits_[n].radius, 4);
   }
 
 private:
+  static constexpr std::size_t most_known = 1000; ///< shapes; a mesh without repetition has one a node
+
+  [[nodiscard]] const Eigen::MatrixXd& basis_of(std::size_t n) const
+  {
+    return basis_[static_cast<std::size_t>(basis_of_[n])];
+  }
+  /// Place of a patch's point, over its radius.
+  [[nodiscard]] Vec3 place(const QuadraticFit& fit, std::size_t i) const
+  {
+    return (1.0 / fit.radius) * (sheet_.points[fit.points[i]] - sheet_.points[fit.points[0]]);
+  }
+  /// The same for patches that are alike but for rounding.
+  [[nodiscard]] std::vector<std::int32_t> shape(const QuadraticFit& fit) const
+  {
+    constexpr double fineness = 1e9;
+    std::vector<std::int32_t> places;
+    places.reserve(2 * fit.points.size());
+    for (std::size_t i = 0; i < fit.points.size(); ++i) {
+      const Vec3 d = place(fit, i);
+      for (const double x : {d.x, d.y}) places.push_back(static_cast<std::int32_t>(std::lround(fineness * x)));
+    }
+    return places;
+  }
+  [[nodiscard]] Eigen::MatrixXd basis(const QuadraticFit& fit) const
+  {
+    const auto count = static_cast<Eigen::Index>(fit.points.size());
+    Eigen::MatrixXd polynomials(count, 6);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Vec3 d = place(fit, static_cast<std::size_t>(i));
+      polynomials.row(i) << 1.0, d.x, d.y, d.x * d.x, d.x * d.y, d.y * d.y;
+    }
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(polynomials);
+    return qr.householderQ() * Eigen::MatrixXd::Identity(count, 6);
+  }
+
   const MirroredSheet& sheet_;
   std::span<const QuadraticFit> fits_;
-  std::vector<Eigen::MatrixXd> basis_; ///< orthonormal, of the quadratics on each patch
+  std::vector<Eigen::MatrixXd> basis_; ///< orthonormal, of the quadratics on patches of a shape
+  std::vector<int> basis_of_;          ///< n
 };
 
 } // namespace
