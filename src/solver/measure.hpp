@@ -2,9 +2,7 @@
 #include "mesh/outline.hpp"
 #include "solver/energy.hpp"
 #include "solver/model.hpp"
-#include "towform/results.hpp"
 #include <numbers>
-#include <string_view>
 
 namespace towform {
 
@@ -12,10 +10,6 @@ inline constexpr double to_degrees = 180.0 / std::numbers::pi;
 
 /// The value below which 99 % lie.
 double percentile_99(std::vector<double> values);
-
-/// A field of the sheet's state at t_n by its name in the results, in a frame that has nothing else. An element's curvature
-/// along a yarn family is that of its corners which is largest in size, so that folds as short as an element are seen.
-Frame frame_field(const Model& model, const System& s, const CurvatureOperator& curvature, std::string_view name);
 
 /// How far the blank's outline has moved towards its middle in plan, means over the modelled sides [m]. The
 /// middle is that of the flat blank's bounding box (0 across a mirror plane). Six kinds of points of the

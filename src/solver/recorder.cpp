@@ -1,4 +1,5 @@
 #include "solver/recorder.hpp"
+#include "solver/frame_fields.hpp"
 #include "solver/run_files.hpp"
 #include <algorithm>
 #include <cmath>

@@ -82,7 +82,7 @@ TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
     const ToolSurface surface(flat ? tray() : test::sphere(0.03, 24));
     const FacetNeighbours neighbours(surface, 2e-3);
     Wander wander(11);
-    int planes = 0;
+    int planes = 0, aside = 0;
     for (int i = 0; i < 4000; ++i) {
       const int facet = wander.facet(surface);
       const Facet& start = surface.tree().facet(facet);
@@ -91,6 +91,7 @@ TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
       if (nearest.reach == 0.0) continue;
       ++planes;
       ASSERT_LT(norm(p - nearest.anchor), nearest.reach);
+      aside += nearest.anchor != p;
       const Facet& f = surface.tree().facet(nearest.point.facet);
       for (int k = 0; k < 8; ++k) {
         const Vec3 q = nearest.anchor + (0.999 * nearest.reach) * wander.direction();
@@ -101,6 +102,7 @@ TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
       }
     }
     EXPECT_GT(planes, 1500);
+    EXPECT_GT(aside, 100); // of who is near an edge
   }
 }
 

@@ -137,6 +137,17 @@ TEST_F(Results, LeaveNoPartOfAFrameBehindWhenAnArrayHasAWrongLength)
   EXPECT_TRUE(frames().empty());
 }
 
+TEST_F(Results, LeaveNoPartOfAFrameBehindWhenAFieldThatIsMadeHasAWrongLength)
+{
+  ResultsWriter writer(directory, mesh, dome::provenance());
+  Frame frame = dome::frame(mesh, 1.0);
+  frame.thickness.pop_back(); // one of the last
+  EXPECT_EQ(message_of<std::invalid_argument>(
+                [&] { writer.append(1.0, !frame.clearance.empty(), [&](std::string_view) { return frame; }); }),
+            "frame: thickness has 31 rows instead of 32");
+  EXPECT_TRUE(frames().empty());
+}
+
 TEST_F(Results, SayWhyTheyCannotBeWritten)
 {
   const auto message = [&](const std::filesystem::path& where) {

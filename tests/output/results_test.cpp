@@ -1,5 +1,6 @@
 #include "results_fixture.hpp"
 #include <map>
+#include <set>
 
 namespace towform {
 
@@ -52,6 +53,22 @@ TEST_F(Results, HaveRoomForTheNextStatus)
     EXPECT_EQ((std::filesystem::file_size(directory / "results.h5") - size) % heap, 0U) << status;
     EXPECT_EQ(hdf5::text_attribute(open().id(), "status"), status);
   }
+}
+
+TEST_F(Results, AreTheSameWhenFieldsAreMadeOneByOne)
+{
+  const Frame frame = dome::frame(mesh, 1.0);
+  std::vector<std::string> made;
+  const std::filesystem::path other = directory / "other";
+  ResultsWriter(directory, mesh, dome::provenance()).append(frame);
+  ResultsWriter(other, mesh, dome::provenance()).append(frame.time, !frame.clearance.empty(), [&](std::string_view field) {
+    made.emplace_back(field);
+    return frame;
+  });
+  EXPECT_EQ(text_of(other / "results.h5"), text_of(directory / "results.h5"));
+  EXPECT_EQ(text_of(other / "results.xdmf"), text_of(directory / "results.xdmf"));
+  EXPECT_EQ(made.front(), "position");
+  EXPECT_EQ(std::set(made.begin(), made.end()).size(), made.size());
 }
 
 TEST_F(Results, HoldEveryFieldOfAFrameWithItsUnits)

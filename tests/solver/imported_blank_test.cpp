@@ -1,6 +1,7 @@
 #include "mesh/msh_files.hpp"
 #include "output/temporary_directory.hpp"
 #include "solver/bare_sheet.hpp"
+#include "solver/frame_fields.hpp"
 #include "solver/measure.hpp"
 #include "solver/specimen.hpp"
 #include <fstream>

@@ -1,5 +1,6 @@
 #include "element/bent.hpp"
 #include "solver/bare_sheet.hpp"
+#include "solver/frame_fields.hpp"
 #include "solver/measure.hpp"
 #include "solver/press_case.hpp"
 #include <algorithm>
