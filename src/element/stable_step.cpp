@@ -1,8 +1,11 @@
 #include "element/stable_step.hpp"
+#include "element/element_frequency.hpp"
+#include "element/membrane_work.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace towform {
 
@@ -13,9 +16,6 @@ std::array<YarnPair, 3> corner_gradients(const YarnGradients& g)
 {
   return {{{-g.warp_1 - g.warp_2, -g.weft_1 - g.weft_2}, {g.warp_1, g.weft_1}, {g.warp_2, g.weft_2}}};
 }
-
-/// Larger eigenvalue of [[a, c], [c, b]].
-double largest(double a, double b, double c) { return 0.5 * (a + b) + std::sqrt(0.25 * (a - b) * (a - b) + c * c); }
 
 double largest(const std::vector<double>& v)
 {
@@ -131,27 +131,31 @@ double StepBound::step_of(double in_plane, double of_bending) const
   return 2.0 / omega * (std::sqrt(1.0 + xi * xi) - xi);
 }
 
-/// omega^2 of an element's own springs and shear, bounded by the sum of both.
-double StepBound::element_frequency(const State& s, std::size_t e) const
+void StepBound::find_element_frequencies(const State& s, std::vector<double>& squared) const
 {
-  const YarnVectors y(membrane_.triangles[e], membrane_.gradients[e], s.position);
-  double warp = 0.0, weft = 0.0, both = 0.0;
-  for (const YarnPair& g : corner_gradients(membrane_.gradients[e])) {
-    warp += g.warp * g.warp;
-    weft += g.weft * g.weft;
-    both += g.warp * g.weft;
-  }
-  const double sine = dot(y.f1, y.f2), cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
-  const double yarns = membrane_.own_stiffness * largest(warp, weft, both * sine);
-  const double shear = shear_modulus_ * cosine *
-                       (warp / (y.lambda1 * y.lambda1) + weft / (y.lambda2 * y.lambda2) -
-                        2.0 * sine * both / (y.lambda1 * y.lambda2));
-  return 3.0 * membrane_.area[e] / element_mass_[e] * (yarns + shear);
+  const ElementBlocks& blocks = membrane_.blocks;
+  const OwnStiffness stiffness{membrane_.own_stiffness, shear_modulus_};
+  squared.resize(element_mass_.size());
+  parallel_each(blocks.count(), [&](int number) {
+    static thread_local const std::unique_ptr<Workplace> workplace = std::make_unique<Workplace>();
+    Workplace& w = *workplace;
+    const ElementBlocks::Block& block = blocks.blocks[number];
+    const MembraneCoefficients coefficients = membrane_.coefficients(block);
+    w.take(blocks.slots.points(block.nodes), s.position);
+    in_batches(0, block.own, [&](int first, int count) {
+      const std::ptrdiff_t e = block.first_element + first;
+      gather_edges(w.position.data(), blocks.corners(block) + 3 * first, count, w.batch);
+      yarn_vectors(coefficients, w.batch, first, count, w.lanes);
+      shear_angles(w.lanes, first, count, 0.0, w.batch);
+      element_frequencies(coefficients, stiffness, w.lanes, first, count, w.batch, element_mass_.data() + e,
+                          squared.data() + e);
+    });
+  });
 }
 
 StepBound::Frequencies StepBound::frequencies(const State& s) const
 {
-  Frequencies f{strip_frequency_, std::vector<double>(element_mass_.size())};
+  Frequencies f{strip_frequency_, {}};
   std::vector<double> steepest(membrane_.node_area.size(),
                                std::abs(membrane_.reference_sine)); // |sine| round a node
   if (!s.sine.empty()) // else the flat sheet
@@ -167,9 +171,7 @@ StepBound::Frequencies StepBound::frequencies(const State& s) const
       f.strip[i] *= 1.0 + sine;
     }
   });
-  parallel_ranges(static_cast<std::ptrdiff_t>(f.element.size()), [&](auto begin, auto end) {
-    for (auto e = begin; e < end; ++e) f.element[e] = element_frequency(s, static_cast<std::size_t>(e));
-  });
+  find_element_frequencies(s, f.element);
   return f;
 }
 

@@ -49,7 +49,7 @@ TAIL = """
 
 ## Not covered
 
-- Bending, gravity, pressure, boundaries in grips and the implicit solver are not varied here; nor are the `incremental` and
+- Gravity, pressure, boundaries in grips and the implicit solver are not varied here; nor are the `incremental` and
   `elastic` laws, whose stable step is another.
 - Coarse meshes on purpose, so that the whole suite takes minutes: a finer mesh penetrates less and sees smaller folds.
 - The largest punch force of `summary.json` is that of the first touch of a press that starts at full speed. It follows the contact's
