@@ -203,6 +203,7 @@ FacetNeighbours::Limit FacetNeighbours::reach_above(const Vec3& p, int facet, do
 /// farther from there, reaches farther.
 void FacetNeighbours::widen(const Vec3& p, const Vec3& away, Nearest& found) const
 {
+  if (away == Vec3{}) return;
   const Facet& f = surface_.tree().facet(found.point.facet);
   for (double step = 2.0 * radius_; step >= std::max(2.0 * found.reach, 0.03 * radius_); step *= 0.5) {
     const Vec3 centre = p + step * away;

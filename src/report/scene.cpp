@@ -1,8 +1,10 @@
 #include "report/scene.hpp"
+#include "parallel/parallel.hpp"
 #include "report/quantised.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <future>
 
 namespace towform {
 
@@ -58,6 +60,7 @@ public:
     d["position"] = series("position");
     add_fields();
     add_tools();
+    finish_packing();
     return std::move(scene_);
   }
 
@@ -102,7 +105,7 @@ private:
     }
   }
 
-  /// The field over the chosen frames; two passes over the file, so that one block is in memory at a time.
+  /// The field over the chosen frames; two passes over the file, so that one block is read at a time.
   Json series(const std::string& name)
   {
     const FrameField& field = *frames_.find(name);
@@ -110,7 +113,7 @@ private:
     for (const std::size_t f : chosen_) ranges.add(frames_.values(f, field));
     Quantised quantised = ranges.scale();
     for (const std::size_t f : chosen_) add_frame(quantised, frames_.values(f, field));
-    return block(name, quantised, field.rows);
+    return block(name, std::move(quantised), field.rows);
   }
 
   Json places(const std::string& id, const std::vector<Vec3>& points)
@@ -121,10 +124,10 @@ private:
     ranges.add(numbers);
     Quantised quantised = ranges.scale();
     add_frame(quantised, numbers);
-    return block(id, quantised, points.size());
+    return block(id, std::move(quantised), points.size());
   }
 
-  Json block(const std::string& id, const Quantised& quantised, std::size_t rows)
+  Json block(const std::string& id, Quantised quantised, std::size_t rows)
   {
     const std::size_t components = quantised.offset.size();
     Json entry{{"block", id}, {"rows", rows}, {"offset", quantised.offset}, {"step", quantised.step}};
@@ -134,8 +137,21 @@ private:
         std::find(quantised.q.begin(), quantised.q.end(), Quantised::missing) == quantised.q.end())
       entry["constant"] = true; // the offsets say it all
     else
-      scene_.blocks.push_back({id, packed(quantised.q, components, rows * components)});
+      pack(id, [q = std::move(quantised.q), components, rows] { return packed(q, components, rows * components); });
     return entry;
+  }
+
+  /// Packs a block while the next one is read, where there is a thread to do so.
+  template <class Make>
+  void pack(const std::string& id, Make make)
+  {
+    finish_packing();
+    scene_.blocks.push_back({id, {}});
+    packing_ = std::async(threads() > 1 ? std::launch::async : std::launch::deferred, std::move(make));
+  }
+  void finish_packing()
+  {
+    if (packing_.valid()) scene_.blocks.back().text = packing_.get();
   }
 
   Json corners(const std::string& id, const std::vector<Triangle>& triangles)
@@ -143,7 +159,7 @@ private:
     std::vector<std::uint32_t> numbers;
     for (const Triangle& t : triangles)
       for (const int n : t) numbers.push_back(static_cast<std::uint32_t>(n));
-    scene_.blocks.push_back({id, packed(numbers)});
+    pack(id, [numbers = std::move(numbers)] { return packed(numbers); });
     return {{"block", id}, {"rows", triangles.size()}};
   }
 
@@ -174,6 +190,7 @@ private:
   const ResultsFrames& frames_;
   std::vector<std::size_t> chosen_;
   Scene scene_;
+  std::future<std::string> packing_; ///< of the last block
 };
 
 } // namespace
