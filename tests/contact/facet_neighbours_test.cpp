@@ -29,6 +29,26 @@ SurfaceMesh tray()
   return mesh;
 }
 
+/// Two level plates that face each other across 3 mm.
+SurfaceMesh gap()
+{
+  SurfaceMesh mesh;
+  constexpr int n = 8;
+  constexpr double pitch = 5e-3;
+  for (const double z : {0.0, 3e-3})
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i) mesh.points.push_back({pitch * i, pitch * j, z});
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = c - 1, up = (n + 1) * (n + 1);
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+      mesh.triangles.push_back({up + a, up + c, up + b});
+      mesh.triangles.push_back({up + a, up + d, up + c});
+    }
+  return mesh;
+}
+
 class Wander {
 public:
   explicit Wander(unsigned seed) : generator_(seed) {}
@@ -78,8 +98,8 @@ TEST(FacetNeighbours, FindWhatAFullSearchFindsFromAnyFacetNearby)
 
 TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
 {
-  for (const bool flat : {true, false}) {
-    const ToolSurface surface(flat ? tray() : test::sphere(0.03, 24));
+  for (const SurfaceMesh& mesh : {tray(), test::sphere(0.03, 24), gap()}) {
+    const ToolSurface surface(mesh);
     const FacetNeighbours neighbours(surface, 2e-3);
     Wander wander(11);
     int planes = 0, aside = 0;
