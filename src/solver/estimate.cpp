@@ -7,13 +7,13 @@ namespace towform {
 
 namespace {
 
-/// Wall time of a step of an element on one thread, contact and all [s]: the double dome, 40 and 72 ns on the two machines that
-/// docs/benchmarks.md knows; bending, most of the time held, adds some 5.
-constexpr double element_step = 55e-9, bending_step = 5e-9;
+/// Wall time of a step of an element on one thread, contact and all [s]: the double dome of docs/benchmarks.md, 41 ns there; bending,
+/// most of the time held, adds some 5.
+constexpr double element_step = 45e-9, bending_step = 5e-9;
 /// Threads wait for each other: of each further one this part counts (measured with two, assumed for more).
-constexpr double further_thread = 0.7;
-/// Peak memory: 84 MB with 21,672 triangles, 151 MB with 100,000, 945 MB with 1,000,000.
-constexpr double memory_alone = 60e6, memory_element = 900.0; // [bytes]
+constexpr double further_thread = 0.85;
+/// Peak memory: 84 MB with 21,672 triangles, 138 MB with 100,000, 709 MB with 1,000,000.
+constexpr double memory_alone = 60e6, memory_element = 680.0; // [bytes]
 
 std::string shown_time(double seconds)
 {
