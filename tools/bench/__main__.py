@@ -16,8 +16,8 @@ without set-up and file output, over elements and steps.
 
 **Speed.** The aim is 20 ns on one thread and 11 on two with everything on, and 3 s for the paper's run. It is not reached on this machine,
 where arithmetic alone would take 10 ns: everything on takes 37 ns on one thread and 22 on two in the first millimetres of the press,
-48 and 24 over all of it, and the paper's run 4.7 s without bending, 5.1 s with it, of which set-up and output are 1.1 s and bring a report
-of 0.5 s. More than half of a step is the membrane, of which vectors do half and gathering, scattering and strips of yarn the rest; a third is
+48 and 24 over all of it, and the paper's run 4.7 s without bending, 5.1 s with it, of which set-up and output are 1.1 s; the report, not
+counted here, takes 0.5 s more. More than half of a step is the membrane, of which vectors do half and gathering, scattering and strips of yarn the rest; a third is
 contact. Bending, held for up to eight steps, is 3 ns of 38; computed at every step it is 14.
 From 5,000 to 100,000 elements an element costs within 15 % of the middle of them; at 400,000 the sheet is read from memory, and at 1,000,000 its
 waves of bending are so fast that it is computed nearly every step: 30 % more than the middle of all sizes on one thread, 25 % on two.
