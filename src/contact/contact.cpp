@@ -82,12 +82,13 @@ double from_anchor(const ContactPlanes& planes, int node, const Vec3& p)
 std::optional<FacetNeighbours::Nearest> where_it_was(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
-  if (!(planes.found[node].clear > 0.0F)) return {};
-  const double left = planes.found[node].clear - from_anchor(planes, node, p) - rounding(p);
+  FoundLast& last = planes.found[node];
+  if (!(last.clear > 0.0F)) return {};
+  const double left = last.clear - from_anchor(planes, node, p) - rounding(p);
   if (left <= 0.0) return {};
-  const SurfacePoint point = m.tool.surface.nearest_of(p, planes.found[node].facet, planes.found[node].rival);
+  const SurfacePoint point = m.tool.surface.nearest_of(p, last.facet, last.rival);
   if (point.inside && m.contact.neighbours->is_well_inside(p, point.facet)) return {}; // it may have a plane again
-  if (point.facet != planes.found[node].facet) std::swap(planes.found[node].facet, planes.found[node].rival);
+  if (point.facet != last.facet) std::swap(last.facet, last.rival);
   return FacetNeighbours::Nearest{point, 0.0, p};
 }
 
@@ -98,9 +99,7 @@ FacetNeighbours::Nearest nearest(const Meeting& m, const Vec3& p, int node)
   // At the start the node before, of the same block, tells best where to begin.
   const bool follows = planes.found[node].facet < 0 && node % block_size > 0;
   const FacetNeighbours::Nearest found = m.contact.neighbours->nearest(p, planes.found[follows ? node - 1 : node].facet);
-  planes.found[node].facet = found.point.facet;
-  planes.found[node].rival = found.rival;
-  planes.found[node].clear = told(found.clear, p);
+  planes.found[node] = {found.point.facet, found.rival, told(found.clear, p)};
   return found;
 }
 
@@ -113,9 +112,7 @@ bool is_still_away(const Meeting& m, const Vec3& p, int node)
   const auto far = m.contact.neighbours->far(p, planes.found[node].facet, beyond);
   if (!far) return false;
   const float reach = told(far->distance - m.contact.half_thickness, p);
-  planes.found[node].facet = far->facet;
-  planes.found[node].rival = -1;
-  planes.found[node].clear = -1.0F;
+  planes.found[node] = {far->facet, -1, -1.0F};
   set_anchor(planes, node, p);
   planes.reach_squared[node] = reach * reach;
   return true;

@@ -83,7 +83,7 @@ bool FacetNeighbours::competes(const Facet& other, const Facet& f, std::span<con
   return !before && !behind;
 }
 
-/// Those of a facet for whom is no higher than `highest`.
+/// A facet's competitors for who is above it, no higher than `highest`.
 FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double highest) const
 {
   static thread_local std::vector<int> found;
@@ -107,7 +107,7 @@ FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double hig
   return list;
 }
 
-/// As high as a facet is long, if that brings no more of them: above a level part of a tool.
+/// Lists serve as high as the facet is long where that brings no more competitors: above a level part of a tool.
 void FacetNeighbours::fill(int number, Competitors& list) const
 {
   const Facet& f = surface_.tree().facet(number);
