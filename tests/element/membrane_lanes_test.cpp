@@ -17,6 +17,7 @@ TEST(Arcsine, IsExactToTheLastBits)
     const double x = i / 100000.0, exact = std::asin(x);
     EXPECT_NEAR(arcsine(x), exact, 5e-16 * std::abs(exact)) << x;
   }
+  for (int i = -50000; i <= 50000; ++i) EXPECT_EQ(arcsine_to_half(i / 100000.0), arcsine(i / 100000.0)) << i;
   EXPECT_EQ(arcsine(1.0), M_PI / 2.0);
   EXPECT_EQ(arcsine(0.0), 0.0);
   const UntrappedFloats untrapped;
