@@ -1,6 +1,7 @@
 #include "contact/contact_lanes.hpp"
 #include "parallel/vector_clones.hpp"
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace towform {
@@ -96,10 +97,72 @@ struct SideBySide {
 
 double total(const double* v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
 
+/// What the two halves of the work on a block hand over.
+struct PushLanes {
+  using Lanes = NodeLanes::Lanes;
+  alignas(64) Lanes rx, ry, rz; ///< tangential stretch at which the node would stick [m]
+  alignas(64) Lanes tx, ty, tz; ///< tangential movement of the step [m]
+  alignas(64) Lanes hx, hy, hz; ///< what would hold it there [N]
+  alignas(64) Lanes pressed, opening;
+  alignas(64) Lanes stretch_squared, size_squared; ///< |r|^2, |h|^2
+  alignas(64) Lanes slips; ///< 1 where the spring alone passes the cone, else 0
+};
+
+/// Normal force, and the tangential one as if the node stuck.
 TOWFORM_VECTOR_CLONES
-void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
-                 const std::uint8_t* __restrict groups, int count, const GapLanes& __restrict gaps,
-                 SideBySide& __restrict sums)
+void press_groups(const NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
+                  const std::uint8_t* __restrict groups, int count, const GapLanes& __restrict gaps, PushLanes& __restrict p)
+{
+  const double* __restrict normal_x = c.normal_x;
+  const double* __restrict normal_y = c.normal_y;
+  const double* __restrict normal_z = c.normal_z;
+  const double* __restrict stick_x = c.stick_x;
+  const double* __restrict stick_y = c.stick_y;
+  const double* __restrict stick_z = c.stick_z;
+  const ContactLaw l = law;
+  for (int number = 0; number < count; ++number) {
+    const int first = groups[number] * group;
+    TOWFORM_INDEPENDENT
+    for (int k = 0; k < group; ++k) {
+      const int i = first + k;
+      const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i];
+      const double vx = nodes.vx[i] - l.velocity.x, vy = nodes.vy[i] - l.velocity.y, vz = nodes.vz[i] - l.velocity.z;
+      const double stiffness = l.stiffness_per_mass * nodes.mass[i], damping = l.damping_per_mass * nodes.mass[i];
+      const double opening = vx * nx + vy * ny + vz * nz;
+      const double wanted = -stiffness * gaps.gap[i] - damping * opening;
+      const double pressed = wanted > 0.0 ? wanted : 0.0;
+      const double tx = l.dt * (vx - opening * nx), ty = l.dt * (vy - opening * ny), tz = l.dt * (vz - opening * nz);
+      const double lift = stick_x[i] * nx + stick_y[i] * ny + stick_z[i] * nz;
+      const double rx = stick_x[i] - lift * nx + tx, ry = stick_y[i] - lift * ny + ty,
+                   rz = stick_z[i] - lift * nz + tz;
+      const double spring = l.stick_ratio * stiffness, limit = l.friction * pressed;
+      const double stretch_squared = rx * rx + ry * ry + rz * rz;
+      const bool slips = spring * spring * stretch_squared > limit * limit;
+      const double dashpot = slips ? 0.0 : l.damping_per_mass / l.dt * nodes.mass[i];
+      const double hx = spring * rx + dashpot * tx, hy = spring * ry + dashpot * ty, hz = spring * rz + dashpot * tz;
+      p.rx[i] = rx;
+      p.ry[i] = ry;
+      p.rz[i] = rz;
+      p.tx[i] = tx;
+      p.ty[i] = ty;
+      p.tz[i] = tz;
+      p.hx[i] = hx;
+      p.hy[i] = hy;
+      p.hz[i] = hz;
+      p.pressed[i] = pressed;
+      p.opening[i] = opening;
+      p.stretch_squared[i] = stretch_squared;
+      p.size_squared[i] = hx * hx + hy * hy + hz * hz; // slipping, that of the spring alone
+      p.slips[i] = slips ? 1.0 : 0.0;
+    }
+  }
+}
+
+/// Lets it slip back to the cone.
+TOWFORM_VECTOR_CLONES
+void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
+                const std::uint8_t* __restrict groups, int count, const GapLanes& __restrict gaps,
+                const PushLanes& __restrict p, SideBySide& __restrict sums)
 {
   const double* __restrict normal_x = c.normal_x;
   const double* __restrict normal_y = c.normal_y;
@@ -108,45 +171,24 @@ void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Conta
   double* __restrict stick_y = c.stick_y;
   double* __restrict stick_z = c.stick_z;
   double* __restrict normal_force = c.normal_force;
-  std::uint8_t* __restrict touching = c.touching;
   const ContactLaw l = law;
   SideBySide s;
   for (int number = 0; number < count; ++number) {
-    const int g = groups[number], first = g * group;
-    if (gaps.touch[g] == 0) {
-      if (touching[g] != 0)
-        for (int i = first; i < first + group; ++i) stick_x[i] = stick_y[i] = stick_z[i] = normal_force[i] = 0.0;
-      touching[g] = 0;
-      continue;
-    }
-    touching[g] = 1;
+    const int first = groups[number] * group;
     TOWFORM_INDEPENDENT
     for (int k = 0; k < group; ++k) {
       const int i = first + k;
-      const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i], gap = gaps.gap[i];
-      const double vx = nodes.vx[i] - l.velocity.x, vy = nodes.vy[i] - l.velocity.y, vz = nodes.vz[i] - l.velocity.z;
-      const double stiffness = l.stiffness_per_mass * nodes.mass[i], damping = l.damping_per_mass * nodes.mass[i];
-      const double opening = vx * nx + vy * ny + vz * nz;
-      const double elastic = -stiffness * gap, wanted = elastic - damping * opening;
-      const double pressed = wanted > 0.0 ? wanted : 0.0;
-
-      const double tx = l.dt * (vx - opening * nx), ty = l.dt * (vy - opening * ny), tz = l.dt * (vz - opening * nz);
-      const double lift = stick_x[i] * nx + stick_y[i] * ny + stick_z[i] * nz;
-      const double rx = stick_x[i] - lift * nx + tx, ry = stick_y[i] - lift * ny + ty,
-                   rz = stick_z[i] - lift * nz + tz;
-      const double spring = l.stick_ratio * stiffness, limit = l.friction * pressed;
-      const double stretch_squared = rx * rx + ry * ry + rz * rz, pull_squared = spring * spring * stretch_squared;
-      const bool slips = pull_squared > limit * limit;
-      const double dashpot = slips ? 0.0 : l.damping_per_mass / l.dt * nodes.mass[i];
-      const double hx = spring * rx + dashpot * tx, hy = spring * ry + dashpot * ty, hz = spring * rz + dashpot * tz;
-      const double size_squared = hx * hx + hy * hy + hz * hz; // slipping, that of the spring alone
-      const bool cut = size_squared > limit * limit;
+      const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i], gap = gaps.gap[i], pressed = p.pressed[i];
+      const double stiffness = l.stiffness_per_mass * nodes.mass[i], spring = l.stick_ratio * stiffness;
+      const double limit = l.friction * pressed, size_squared = p.size_squared[i];
+      const bool slips = p.slips[i] > 0.0, cut = size_squared > limit * limit;
       const double share = cut ? limit / std::sqrt(cut ? size_squared : 1.0) : 1.0;
-      const double gx = -share * hx, gy = -share * hy, gz = -share * hz;
+      const double gx = -share * p.hx[i], gy = -share * p.hy[i], gz = -share * p.hz[i];
       const double kept = slips ? share : 1.0;
-      const double sx = kept * rx, sy = kept * ry, sz = kept * rz;
-      const double by_slip = spring * kept * (1.0 - kept) * stretch_squared;
-      const double by_dashpot = -((gx + spring * sx) * tx + (gy + spring * sy) * ty + (gz + spring * sz) * tz);
+      const double sx = kept * p.rx[i], sy = kept * p.ry[i], sz = kept * p.rz[i];
+      const double by_slip = spring * kept * (1.0 - kept) * p.stretch_squared[i];
+      const double by_dashpot =
+          -((gx + spring * sx) * p.tx[i] + (gy + spring * sy) * p.ty[i] + (gz + spring * sz) * p.tz[i]);
 
       const bool on = gap < 0.0;
       const double fx = on ? pressed * nx + gx : 0.0, fy = on ? pressed * ny + gy : 0.0,
@@ -163,7 +205,7 @@ void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Conta
       s.fz[k] += fz;
       const double stored = 0.5 * stiffness * gap * gap + 0.5 * spring * (sx * sx + sy * sy + sz * sz);
       s.elastic[k] += on ? stored : 0.0;
-      s.damped[k] += on ? (elastic - pressed) * opening * l.dt : 0.0;
+      s.damped[k] += on ? (-stiffness * gap - pressed) * p.opening[i] * l.dt : 0.0;
       s.rubbed[k] += on ? (slips ? by_slip : by_dashpot) : 0.0;
       const double along = nx * l.direction.x + ny * l.direction.y + nz * l.direction.z;
       s.stiffness[k] += on ? stiffness * along * along : 0.0;
@@ -174,13 +216,33 @@ void push_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Conta
   sums = s;
 }
 
+/// Of some groups those that touch; the others lose what they held.
+int those_that_touch(const ContactLanes& c, const std::uint8_t* groups, int count, const GapLanes& gaps, std::uint8_t* touching)
+{
+  int touch = 0;
+  for (int number = 0; number < count; ++number) {
+    const int g = groups[number], first = g * group;
+    touching[touch] = groups[number];
+    touch += gaps.touch[g] != 0 ? 1 : 0;
+    if (gaps.touch[g] == 0 && c.touching[g] != 0)
+      for (int i = first; i < first + group; ++i) c.stick_x[i] = c.stick_y[i] = c.stick_z[i] = c.normal_force[i] = 0.0;
+    c.touching[g] = gaps.touch[g] != 0 ? 1 : 0;
+  }
+  return touch;
+}
+
 } // namespace
 
 ContactSums push(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
                  const GapLanes& gaps)
 {
+  std::array<std::uint8_t, NodeLanes::size / group + 1> touching;
+  const int touch = those_that_touch(c, groups, count, gaps, touching.data());
+  if (touch == 0) return {};
+  PushLanes p;
   SideBySide s;
-  push_groups(nodes, c, law, groups, count, gaps, s);
+  press_groups(nodes, c, law, touching.data(), touch, gaps, p);
+  rub_groups(nodes, c, law, touching.data(), touch, gaps, p, s);
   return {{total(s.fx), total(s.fy), total(s.fz)},
           total(s.elastic),
           total(s.damped),
