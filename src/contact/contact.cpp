@@ -103,11 +103,36 @@ FacetNeighbours::Nearest nearest(const Meeting& m, const Vec3& p, int node)
   return found;
 }
 
+/// Whether a node is known to be away from the tool, or nothing is known of it.
+bool may_be_away(const ContactPlanes& planes, int node)
+{
+  if (planes.offset[node] > no_plane) return false;
+  return planes.found[node].facet < 0 || planes.reach_squared[node] > 0.0F;
+}
+
+/// Nobody in the ball that the node before is in can touch the tool: that will do for a node well inside it.
+bool is_in_ball_before(const Meeting& m, const Vec3& p, int node)
+{
+  ContactPlanes& planes = m.state.planes;
+  const int before = node - 1;
+  if (node % block_size == 0 || planes.found[before].facet < 0 || !may_be_away(planes, before)) return false;
+  const double reach = std::sqrt(planes.reach_squared[before]);
+  if (from_anchor(planes, before, p) + rounding(p) > 0.5 * reach) return false;
+  planes.found[node] = {planes.found[before].facet, -1, -1.0F};
+  planes.anchor_x[node] = planes.anchor_x[before];
+  planes.anchor_y[node] = planes.anchor_y[before];
+  planes.anchor_z[node] = planes.anchor_z[before];
+  planes.reach_squared[node] = planes.reach_squared[before];
+  return true;
+}
+
 /// A node that was away from the tool and still is: how far away will do.
 bool is_still_away(const Meeting& m, const Vec3& p, int node)
 {
   ContactPlanes& planes = m.state.planes;
-  if (!(planes.reach_squared[node] > 0.0F) || planes.offset[node] > no_plane) return false;
+  if (!may_be_away(planes, node)) return false;
+  if (is_in_ball_before(m, p, node)) return true;
+  if (planes.found[node].facet < 0) return false;
   const double beyond = from_anchor(planes, node, p) - std::sqrt(planes.reach_squared[node]) + rounding(p);
   const auto far = m.contact.neighbours->far(p, planes.found[node].facet, beyond);
   if (!far) return false;
@@ -266,6 +291,14 @@ double least_distance(const Contact& contact, const ContactState& c, std::size_t
   if (!(planes.reach_squared[node] > 0.0F) || planes.offset[node] > no_plane) return 0.0;
   const double moved = from_anchor(planes, static_cast<int>(node), p) + rounding(p);
   return std::max(0.0, contact.half_thickness + std::sqrt(planes.reach_squared[node]) - moved);
+}
+
+std::optional<double> distance_from_plane(const ContactPlanes& planes, std::size_t node, const Vec3& p)
+{
+  if (!(planes.reach_squared[node] > 0.0F) || !(planes.offset[node] > no_plane)) return {};
+  const double moved = from_anchor(planes, static_cast<int>(node), p) + rounding(p);
+  if (moved >= std::sqrt(planes.reach_squared[node])) return {};
+  return dot({planes.normal_x[node], planes.normal_y[node], planes.normal_z[node]}, p) - planes.offset[node];
 }
 
 void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,

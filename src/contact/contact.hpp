@@ -4,6 +4,7 @@
 #include "towform/state.hpp"
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,6 +66,9 @@ void start(const Contact& contact, std::size_t nodes, ContactState& c);
 
 /// How far from the tool a node at p [tool's frame] is at least, as the last search told [m]; 0 where it did not.
 [[nodiscard]] double least_distance(const Contact& contact, const ContactState& c, std::size_t node, const Vec3& p);
+
+/// Signed distance from the tool of a node at p [tool's frame] [m], where the plane that the last search found still tells it.
+[[nodiscard]] std::optional<double> distance_from_plane(const ContactPlanes& planes, std::size_t node, const Vec3& p);
 
 /// Adds the contact forces at x_n to s.force and sets the tools' reactions. `mass` of each node [kg].
 void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,

@@ -83,18 +83,13 @@ bool FacetNeighbours::competes(const Facet& other, const Facet& f, std::span<con
   return !before && !behind;
 }
 
-/// A facet's competitors for who is above it, no higher than `highest`.
-FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double highest) const
+/// A facet's competitors for who is above it, no higher than `highest`, out of `some` that are near.
+FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double highest, std::span<const Vec3> level,
+                                                          std::span<const int> some) const
 {
-  static thread_local std::vector<int> found;
-  static thread_local std::vector<Vec3> level, space;
   const Facet& f = surface_.tree().facet(number);
-  find_level(number, level);
-  space = level;
-  for (const Vec3& corner : level) space.push_back(corner + highest * f.normal);
-  surface_.tree().find_in_front(f, space, highest, found);
   Competitors list{{}, highest};
-  for (const int near : found) {
+  for (const int near : some) {
     const Facet& other = surface_.tree().facet(near);
     if (!competes(other, f, level, highest)) continue;
     bool beside = beyond_an_edge(other, f, highest);
@@ -110,11 +105,19 @@ FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double hig
 /// Lists serve as high as the facet is long where that brings no more competitors: above a level part of a tool.
 void FacetNeighbours::fill(int number, Competitors& list) const
 {
+  static thread_local std::vector<int> near;
+  static thread_local std::vector<Vec3> level, space;
   const Facet& f = surface_.tree().facet(number);
   const double length = std::max({norm(f.edge(0)), norm(f.edge(1)), norm(f.edge(2))});
-  list = competitors(number, highest_);
-  for (double highest = 2.0 * highest_; highest <= length; highest *= 2.0) {
-    Competitors higher = competitors(number, highest);
+  double most = highest_;
+  while (2.0 * most <= length) most *= 2.0;
+  find_level(number, level);
+  space = level;
+  for (const Vec3& corner : level) space.push_back(corner + most * f.normal);
+  surface_.tree().find_in_front(f, space, most, near);
+  list = competitors(number, highest_, level, near);
+  for (double highest = 2.0 * highest_; highest <= most; highest *= 2.0) {
+    Competitors higher = competitors(number, highest, level, near);
     if (higher.facets.size() > list.facets.size()) break;
     list = std::move(higher);
   }

@@ -75,7 +75,7 @@ private:
   const List& of(int facet, Lists<List>& lists) const;
   void find_level(int facet, std::vector<Vec3>& corners) const;
   [[nodiscard]] static bool competes(const Facet& other, const Facet& f, std::span<const Vec3> level, double highest);
-  [[nodiscard]] Competitors competitors(int facet, double highest) const;
+  [[nodiscard]] Competitors competitors(int facet, double highest, std::span<const Vec3> level, std::span<const int> some) const;
   void fill(int facet, Competitors& list) const;
   void fill(int facet, All& list) const;
   [[nodiscard]] int walk(const Vec3& p, int from) const;

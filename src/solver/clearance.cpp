@@ -9,7 +9,7 @@ namespace towform {
 
 namespace {
 
-/// Searches node after node: from the facet that contact has found last, or that of the node before, which is near.
+/// Searches node after node: where contact knows no plane, from the facet that it has found last, or that of the node before, which is near.
 class NearestTool {
 public:
   NearestTool(const Model& model, const System& s) : model_(model), s_(s), hint_(model.tools.size(), -1) {}
@@ -34,18 +34,28 @@ public:
 private:
   SurfacePoint from(std::size_t contact, std::size_t node, double bound)
   {
-    const int number = model_.contacts[contact].tool;
+    const ContactState& state = s_.contacts[contact];
+    const int number = model_.contacts[contact].tool, met = state.planes.found[node].facet;
     const Tool& tool = model_.tools[number];
     const Vec3 x = s_.sheet.position[node] - s_.tools[number].displacement * tool.direction;
-    if (least_distance(model_.contacts[contact], s_.contacts[contact], node, x) > bound) return {};
-    const int met = s_.contacts[contact].planes.found[node].facet;
-    // Who is near is quickly found from the facet that contact knows.
-    const bool near = s_.contacts[contact].planes.offset[node] > no_plane;
-    const SurfacePoint found = near
-                                   ? model_.contacts[contact].neighbours->nearest(x, met).point
-                                   : tool.surface.nearest(x, met >= 0 ? met : hint_[contact], bound);
+    SurfacePoint found;
+    if (const auto distance = distance_from_plane(state.planes, node, x)) {
+      found.facet = met;
+      found.distance = *distance;
+    } else {
+      const double at_least = least_distance(model_.contacts[contact], state, node, x);
+      if (at_least <= bound) found = tool.surface.nearest(x, nearer(tool, x, met, hint_[contact]), bound);
+    }
     if (found.facet >= 0) hint_[contact] = found.facet;
     return found;
+  }
+
+  /// Of two facets, -1 for none, the one that is nearer.
+  static int nearer(const Tool& tool, const Vec3& x, int a, int b)
+  {
+    if (a < 0 || b < 0 || a == b) return std::max(a, b);
+    const auto squared = [&](int facet) { return nearest_on_facet(tool.surface.tree().facet(facet), x).distance_squared; };
+    return squared(b) < squared(a) ? b : a;
   }
 
   const Model& model_;

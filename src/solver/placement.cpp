@@ -50,11 +50,15 @@ Deepest deepest(const std::vector<Vec3>& sheet, double thickness, const Tool& to
   parallel_each(static_cast<int>(of_block.size()), [&](int number) {
     Deepest& here = of_block[static_cast<std::size_t>(number)];
     const std::size_t first = block * static_cast<std::size_t>(number);
-    int hint = -1;
+    SurfacePoint nearest;
+    Vec3 middle; // of a ball that the tool is clear of
+    double clear = 0.0;
     for (std::size_t n = first; n < std::min(first + block, sheet.size()); ++n) {
-      const SurfacePoint nearest = tool.surface.nearest(sheet[n], hint);
-      hint = nearest.facet;
-      const double overlap = 0.5 * thickness - nearest.distance;
+      if (norm(sheet[n] - middle) < clear) continue;
+      nearest = tool.surface.nearest(sheet[n], nearest.facet);
+      middle = sheet[n];
+      clear = nearest.distance - 0.5 * thickness;
+      const double overlap = -clear;
       if (overlap > here.depth && !(nearest.distance < 0.0 && nearest.on_border))
         here = {static_cast<int>(n), overlap};
     }
