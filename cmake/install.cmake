@@ -37,5 +37,5 @@ configure_package_config_file(cmake/towformConfig.cmake.in ${PROJECT_BINARY_DIR}
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/towformConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/towformConfig.cmake ${PROJECT_BINARY_DIR}/towformConfigVersion.cmake
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/Findlibdeflate.cmake ${PROJECT_BINARY_DIR}/towformConfig.cmake ${PROJECT_BINARY_DIR}/towformConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/towform COMPONENT library)

@@ -23,8 +23,8 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "Headers and static library for programs that form cases themselves, with shear
 laws of their own.")
 # What towformConfig.cmake looks for.
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libfcl-dev, libfmt-dev, libhdf5-dev, libspdlog-dev, \
-libtomlplusplus-dev, nlohmann-json3-dev, zlib1g-dev")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libdeflate-dev, libeigen3-dev, libfcl-dev, libfmt-dev, libhdf5-dev, \
+libspdlog-dev, libssl-dev, libtomlplusplus-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "towform, cmake")
 
 # Each with its licence; that of the bundled 3-D view's three.js stands in the bundle, and in every report.

@@ -3,9 +3,9 @@
 #include <cerrno>
 #include <fmt/format.h>
 #include <fstream>
+#include <libdeflate.h>
 #include <system_error>
 #include <vector>
-#include <zlib.h>
 
 namespace towform {
 
@@ -15,16 +15,15 @@ std::uint32_t crc32_of_file(const std::filesystem::path& path, std::uint64_t off
   std::ifstream file(path, std::ios::binary);
   file.seekg(static_cast<std::streamoff>(offset));
   std::vector<char> part(1 << 20);
-  uLong crc = crc32_z(0, nullptr, 0);
+  std::uint32_t crc = 0;
   while (file) {
     file.read(part.data(), static_cast<std::streamsize>(part.size()));
-    // zlib takes bytes, a stream gives characters.
-    crc = crc32_z(crc, reinterpret_cast<const Bytef*>(part.data()), static_cast<std::size_t>(file.gcount()));
+    crc = libdeflate_crc32(crc, part.data(), static_cast<std::size_t>(file.gcount()));
   }
   if (!file.eof())
     throw FileError(
         fmt::format("{}: cannot be read: {}", path.string(), std::generic_category().message(errno)));
-  return static_cast<std::uint32_t>(crc);
+  return crc;
 }
 
 } // namespace towform

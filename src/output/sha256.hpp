@@ -1,13 +1,13 @@
 #pragma once
-#include <array>
-#include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
+struct evp_md_ctx_st;
+
 namespace towform {
 
-/// SHA-256 (FIPS 180-4) of bytes that arrive in pieces.
+/// SHA-256 (FIPS 180-4) of bytes that arrive in pieces, by OpenSSL. Everything throws std::bad_alloc.
 class Sha256 {
 public:
   Sha256();
@@ -16,12 +16,7 @@ public:
   std::string digest();
 
 private:
-  void absorb(const unsigned char* block);
-
-  std::array<std::uint32_t, 8> hash_;
-  std::array<unsigned char, 64> block_{};
-  std::size_t filled_ = 0;   ///< bytes waiting in block_
-  std::uint64_t length_ = 0; ///< bytes added
+  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
 } // namespace towform

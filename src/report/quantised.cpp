@@ -1,9 +1,10 @@
 #include "report/quantised.hpp"
 #include <algorithm>
 #include <cmath>
+#include <libdeflate.h>
 #include <limits>
+#include <memory>
 #include <new>
-#include <zlib.h>
 
 namespace towform {
 
@@ -79,12 +80,12 @@ std::string packed(std::span<const std::uint32_t> numbers)
 
 std::vector<unsigned char> deflated(std::span<const unsigned char> bytes)
 {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::vector<unsigned char> result(size);
-  constexpr int level = 5; // at 9 a page is 1 % smaller and takes five times as long
-  if (compress2(result.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), level) != Z_OK)
-    throw std::bad_alloc();
-  result.resize(size);
+  constexpr int level = 6; // at 9 a page is 1 % smaller and takes three times as long
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+      libdeflate_alloc_compressor(level), &libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::vector<unsigned char> result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
+  result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size()));
   return result;
 }
 

@@ -37,21 +37,6 @@ TEST(Sha256, AgreesWithThePublishedExamples)
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Sha256, DoesNotDependOnThePiecesTheBytesComeIn)
-{
-  for (const std::size_t length :
-       {55U, 56U, 63U, 64U, 65U, 119U, 120U, 200U}) { // round the edges of the padding
-    const std::string text(length, 'x');
-    for (const std::size_t piece : {1U, 7U, 64U})
-      EXPECT_EQ(digest_in_pieces(text, piece), digest_in_pieces(text, 500));
-  }
-  // 119 bytes fill the padding of the second block exactly (value from coreutils' sha256sum).
-  EXPECT_EQ(digest_in_pieces(std::string(119, 'x'), 64),
-            "000b48d4edf0fa7bee3c6236ecd2785baa5db4eeb8bb54341b029e0d9fa5fb0c");
-  EXPECT_EQ(digest_in_pieces(std::string(120, 'x'), 64),
-            "13f05a0b594787f5ecd315edc96141bd3243203d1b7d4f0836f37308b276ba98");
-}
-
 TEST_F(Sha256OfFile, ReadsAllOfIt)
 {
   std::ofstream(directory / "a") << std::string(1'000'000, 'a');
