@@ -193,8 +193,7 @@ void add_forces(const Patches& p, int nodes, const BendingLanes& __restrict l, P
 /// dt from one look at the curvatures to the next.
 double bend(const Bending& bending, int first, int nodes, double dt, YarnPair* curvature, BendingLanes& l)
 {
-  // Forces at n kick from n - 1/2 to n + 1/2; held, up to n + interval - 1/2.
-  const double ahead = 0.5 * (bending.interval - 1) / bending.interval;
+  const double ahead = held_ahead(bending.interval);
   const double warp_viscosity = bending.warp.stiffness() * bending.damping_time / dt;
   const double weft_viscosity = bending.weft.stiffness() * bending.damping_time / dt;
   double lost = 0.0;

@@ -1,4 +1,5 @@
 #include "solver/model.hpp"
+#include "element/held_bending.hpp"
 #include "element/stable_step.hpp"
 #include "element/step_limit.hpp"
 #include "parallel/parallel.hpp"
@@ -102,12 +103,11 @@ void scale_masses(double wanted, const State& flat, Model& model)
   }
 }
 
-/// For how many steps bending forces are held: no longer than the fastest bending wave needs for half a radian.
+/// For how many steps bending forces are held.
 int bending_interval(const Bending& bending, const Model& model)
 {
-  constexpr double most = 8.0, radians = 0.5;
-  const double steps = std::min(most, radians / (fastest_bending(bending, model.mass) * model.first_step));
-  return std::max(1, static_cast<int>(steps));
+  constexpr int most = 8;
+  return longest_hold(fastest_bending(bending, model.mass) * model.first_step, bending.damping_time / model.first_step, most);
 }
 
 /// Masses, steps and contact stiffnesses: what depends on one another.
