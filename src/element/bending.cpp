@@ -23,33 +23,6 @@ Bending::Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std:
 {
   if (!curvature.complete())
     throw std::invalid_argument("the blank has too few elements to tell its curvature; bending needs more");
-  const std::size_t nodes = curvature.nodes(), points = nodes + curvature.images.size();
-  for (std::size_t first = 0; first < nodes; first += block_size) {
-    Block b;
-    b.first_node = static_cast<int>(first);
-    b.nodes = static_cast<int>(std::min<std::size_t>(block_size, nodes - first));
-    const auto each_term = [&, this](const auto& work) {
-      for (int t = curvature.first[first]; t < curvature.first[first + static_cast<std::size_t>(b.nodes)]; ++t)
-        work(curvature.point[t]);
-    };
-    std::vector<int> reached;
-    each_term([&](int point) { reached.push_back(point); });
-    for (int i = 0; i < b.nodes; ++i) {
-      const CurvatureOperator::Chords& c = curvature.chords[first + static_cast<std::size_t>(i)];
-      reached.insert(reached.end(), {c.a0, c.a1, c.b0, c.b1});
-    }
-    b.points = slots.add(std::move(reached));
-    const auto local = [&](int point) { return slots.local(b.points, point); };
-    each_term([&](int point) { term_point.push_back(local(point)); });
-    for (int i = 0; i < b.nodes; ++i) {
-      const CurvatureOperator::Chords& c = curvature.chords[first + static_cast<std::size_t>(i)];
-      ends.push_back({local(c.a0), local(c.a1), local(c.b0), local(c.b1)});
-    }
-    blocks.push_back(b);
-  }
-  slots.finish(points);
-  term_point.shrink_to_fit();
-  ends.shrink_to_fit();
 }
 
 std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
@@ -58,13 +31,12 @@ std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
   std::vector<double> bound(mass.size(), 0.0);
   for (std::size_t n = 0; n < curvature.nodes(); ++n) {
     std::array<double, 2> sum{};
-    for (int t = curvature.first[n]; t < curvature.first[n + 1]; ++t) {
-      sum[0] += std::abs(curvature.weight[t].warp);
-      sum[1] += std::abs(curvature.weight[t].weft);
-    }
-    for (int t = curvature.first[n]; t < curvature.first[n + 1]; ++t) {
-      const YarnPair& weight = curvature.weight[t];
-      const auto point = static_cast<std::size_t>(curvature.point[t]);
+    curvature.each_term(n, [&](int, const YarnPair& weight) {
+      sum[0] += std::abs(weight.warp);
+      sum[1] += std::abs(weight.weft);
+    });
+    curvature.each_term(n, [&](int of_sheet, const YarnPair& weight) {
+      const auto point = static_cast<std::size_t>(of_sheet);
       const std::size_t node = point < mass.size()
                                    ? point
                                    : static_cast<std::size_t>(curvature.images[point - mass.size()].source);
@@ -72,7 +44,7 @@ std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
           area[n] *
           (stiffness[0] * sum[0] * std::abs(weight.warp) + stiffness[1] * sum[1] * std::abs(weight.weft)) /
           mass[node];
-    }
+    });
   }
   return bound;
 }
@@ -81,8 +53,8 @@ void start(const Bending& bending, std::span<const Vec3> position, BendingState&
 {
   b.curvature = bending.curvature.at(position);
   b.held.assign(bending.interval > 1 ? position.size() : 0, {});
-  b.damping.assign(bending.blocks.size(), 0.0);
-  b.block_force.assign(bending.slots.count(), {});
+  b.damping.assign(bending.curvature.blocks.size(), 0.0);
+  b.block_force.assign(bending.curvature.slots.count(), {});
   b.image.assign(bending.curvature.images.size(), {});
 }
 
@@ -90,7 +62,7 @@ namespace {
 
 /// A block's nodes side by side.
 struct BendingLanes {
-  static constexpr int size = Bending::block_size;
+  static constexpr int size = CurvatureOperator::block_size;
   using Lanes = double[size]; // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
 
   alignas(64) Lanes warp_x, warp_y, warp_z, weft_x, weft_y, weft_z; ///< second derivatives of x [1/m]
@@ -104,8 +76,9 @@ struct BendingLanes {
 /// What the nodes of a block are made of.
 struct Patches {
   const int* first;                         ///< of each node's terms, one more
-  const YarnPair* weight;                   ///< of each term of the whole sheet
-  const std::uint16_t* point;               ///< likewise
+  const std::uint16_t* point;               ///< of each term of the whole sheet
+  const int* weights_of;                    ///< where each node's weights begin
+  const YarnPair* weight;                   ///< of all of them
   const std::array<std::uint16_t, 4>* ends; ///< of each node
 };
 
@@ -114,10 +87,11 @@ void gather(const Patches& p, int nodes, const Padded* __restrict x, BendingLane
 {
   for (int n = 0; n < nodes; ++n) {
     Vec4 warp{}, weft{};
-    for (int t = p.first[n]; t < p.first[n + 1]; ++t) {
+    const YarnPair* weight = p.weight + p.weights_of[n];
+    for (int t = p.first[n]; t < p.first[n + 1]; ++t, ++weight) {
       const Vec4 at = x[p.point[t]].v;
-      warp += p.weight[t].warp * at;
-      weft += p.weight[t].weft * at;
+      warp += weight->warp * at;
+      weft += weight->weft * at;
     }
     const auto [a0, a1, b0, b1] = p.ends[n];
     const Vec4 a = x[a1].v - x[a0].v, b = x[b1].v - x[b0].v;
@@ -178,8 +152,9 @@ void add_forces(const Patches& p, int nodes, const BendingLanes& __restrict l, P
   for (int n = 0; n < nodes; ++n) {
     const Vec4 normal{l.nx[n], l.ny[n], l.nz[n], 0.0};
     const Vec4 warp = l.warp_moment[n] * normal, weft = l.weft_moment[n] * normal;
-    for (int t = p.first[n]; t < p.first[n + 1]; ++t)
-      force[p.point[t]].v -= p.weight[t].warp * warp + p.weight[t].weft * weft;
+    const YarnPair* weight = p.weight + p.weights_of[n];
+    for (int t = p.first[n]; t < p.first[n + 1]; ++t, ++weight)
+      force[p.point[t]].v -= weight->warp * warp + weight->weft * weft;
     const auto [a0, a1, b0, b1] = p.ends[n];
     const Vec4 on_a{l.on_ax[n], l.on_ay[n], l.on_az[n], 0.0}, on_b{l.on_bx[n], l.on_by[n], l.on_bz[n], 0.0};
     force[a0].v += on_a;
@@ -225,25 +200,26 @@ struct BendingWork {
     for (std::size_t i = 0; i < points.size(); ++i) position[i].set(x[points[i]]);
   }
   /// The block's forces from its lanes.
-  void give(const Bending& bending, const Bending::Block& block, std::span<Vec3> block_force)
+  void give(const Bending& bending, const CurvatureOperator::Block& block, std::span<Vec3> block_force)
   {
     force.assign(static_cast<std::size_t>(block.points.count), {});
     add_forces(patches(bending, block), block.nodes, lanes, force.data());
     Vec3* sums = block_force.data() + block.points.first;
     for (std::size_t i = 0; i < force.size(); ++i) sums[i] = force[i].vec3();
   }
-  static Patches patches(const Bending& bending, const Bending::Block& block)
+  static Patches patches(const Bending& bending, const CurvatureOperator::Block& block)
   {
-    return {bending.curvature.first.data() + block.first_node, bending.curvature.weight.data(),
-            bending.term_point.data(), bending.ends.data() + block.first_node};
+    const CurvatureOperator& c = bending.curvature;
+    return {c.first.data() + block.first_node, c.point.data(), c.weights_of.data() + block.first_node, c.weight.data(),
+            c.ends.data() + block.first_node};
   }
 };
 
 void bend_block(const Bending& bending, int number, const State& s, double dt, BendingState& b)
 {
-  const Bending::Block& block = bending.blocks[number];
+  const CurvatureOperator::Block& block = bending.curvature.blocks[number];
   BendingWork& w = BendingWork::here();
-  w.take(bending.slots.points(block.points), {s.position, b.image});
+  w.take(bending.curvature.slots.points(block.points), {s.position, b.image});
   gather(BendingWork::patches(bending, block), block.nodes, w.position.data(), w.lanes);
   curve(block.nodes, w.lanes);
   b.damping[number] += bend(bending, block.first_node, block.nodes, dt, b.curvature.data() + block.first_node, w.lanes);
@@ -262,11 +238,11 @@ void assemble(const Bending& bending, std::span<const Vec3> block_force, std::sp
 {
   const auto nodes = static_cast<std::ptrdiff_t>(force.size());
   parallel_ranges(nodes, [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) force[n] += bending.slots.sum(block_force, n);
+    for (auto n = begin; n < end; ++n) force[n] += bending.curvature.slots.sum(block_force, n);
   });
   const std::vector<MirrorImage>& images = bending.curvature.images;
   for (std::size_t i = 0; i < images.size(); ++i)
-    images[i].hand_on(bending.slots.sum(block_force, nodes + static_cast<std::ptrdiff_t>(i)), force);
+    images[i].hand_on(bending.curvature.slots.sum(block_force, nodes + static_cast<std::ptrdiff_t>(i)), force);
 }
 
 } // namespace
@@ -277,7 +253,7 @@ void bending_forces(const Bending& bending, BendingState& b, State& s, double dt
   const auto nodes = static_cast<std::ptrdiff_t>(s.force.size());
   if (s.step % bending.interval == 0) {
     place_images(bending, s.position, b.image);
-    parallel_each(static_cast<int>(bending.blocks.size()),
+    parallel_each(static_cast<int>(bending.curvature.blocks.size()),
                   [&](int number) { bend_block(bending, number, s, bending.interval * dt, b); });
     if (holds)
       parallel_ranges(nodes, [&](auto begin, auto end) { std::fill(b.held.begin() + begin, b.held.begin() + end, Vec3{}); });
@@ -295,11 +271,11 @@ void linear_bending_forces(const Bending& bending, double factor, std::span<cons
   std::vector<Vec3> image, image_motion;
   place_images(bending, position, image);
   place_images(bending, motion, image_motion);
-  block_force.resize(bending.slots.count());
+  block_force.resize(bending.curvature.slots.count());
   const double warp_stiffness = factor * bending.warp.stiffness(), weft_stiffness = factor * bending.weft.stiffness();
-  parallel_each(static_cast<int>(bending.blocks.size()), [&](int number) {
-    const Bending::Block& block = bending.blocks[number];
-    const std::span<const int> points = bending.slots.points(block.points);
+  parallel_each(static_cast<int>(bending.curvature.blocks.size()), [&](int number) {
+    const CurvatureOperator::Block& block = bending.curvature.blocks[number];
+    const std::span<const int> points = bending.curvature.slots.points(block.points);
     const Patches patches = BendingWork::patches(bending, block);
     BendingWork& w = BendingWork::here();
     w.take(points, {position, image});
@@ -309,9 +285,10 @@ void linear_bending_forces(const Bending& bending, double factor, std::span<cons
     BendingLanes& l = w.lanes;
     for (int n = 0; n < block.nodes; ++n) { // the normals stay, the rest is the motion's
       Vec4 warp{}, weft{};
-      for (int t = patches.first[n]; t < patches.first[n + 1]; ++t) {
-        warp += patches.weight[t].warp * w.position[patches.point[t]].v;
-        weft += patches.weight[t].weft * w.position[patches.point[t]].v;
+      const YarnPair* weight = patches.weight + patches.weights_of[n];
+      for (int t = patches.first[n]; t < patches.first[n + 1]; ++t, ++weight) {
+        warp += weight->warp * w.position[patches.point[t]].v;
+        weft += weight->weft * w.position[patches.point[t]].v;
       }
       const double area = bending.area[block.first_node + n];
       l.warp_moment[n] = area * warp_stiffness * (l.nx[n] * warp[0] + l.ny[n] * warp[1] + l.nz[n] * warp[2]);

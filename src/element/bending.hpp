@@ -1,10 +1,7 @@
 #pragma once
-#include "element/block_slots.hpp"
 #include "element/curvature.hpp"
 #include "element/moment_law.hpp"
 #include "towform/state.hpp"
-#include <array>
-#include <cstdint>
 #include <vector>
 
 namespace towform {
@@ -30,17 +27,6 @@ struct Bending {
   /// linear operator over the nodes' masses [kg] (Gershgorin), with the largest slopes of the laws. Sharp
   /// for the zigzag of a regular mesh.
   [[nodiscard]] std::vector<double> frequency_bound(std::span<const double> mass) const;
-
-  /// Nodes in blocks that one thread computes at a time.
-  struct Block {
-    int first_node = 0, nodes = 0;
-    BlockSlots::Range points; ///< of its terms and chords: nodes and images
-  };
-  static constexpr int block_size = 128;
-  std::vector<Block> blocks;
-  BlockSlots slots;                               ///< of nodes and images
-  std::vector<std::uint16_t> term_point;          ///< of each term of the curvatures, within the block
-  std::vector<std::array<std::uint16_t, 4>> ends; ///< n, of the chords, a0, a1, b0, b1, within the block
 };
 
 /// What changes of it.

@@ -4,8 +4,13 @@
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <compare>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <unordered_map>
+#include <utility>
 
 namespace towform {
 
@@ -23,7 +28,7 @@ std::vector<SymmetryLine> lines_of(const Blank& blank, std::span<const SymmetryL
 /// Two chords of a node's ring that pass as nearly through the node as can be and are not too nearly
 /// parallel; of equally good ones those along and across the warp, so that a regular mesh is treated
 /// regularly.
-CurvatureOperator::Chords chords_of(const MirroredSheet& sheet, int node, const Vec3& warp)
+std::array<int, 4> chords_of(const MirroredSheet& sheet, int node, const Vec3& warp)
 {
   std::vector<int> ends = sheet.neighbours[node];
   ends.push_back(node);
@@ -88,12 +93,71 @@ void keep_slopes_on_outline(const SurfaceMesh& flat, std::vector<QuadraticFit>& 
 
 } // namespace
 
+/// What a node's curvatures are made of, by points of the whole sheet. Terms are in an order that depends on the weights alone.
+struct CurvatureOperator::Patch {
+  std::vector<int> points;
+  std::vector<YarnPair> weights;
+  std::vector<std::int64_t> key; ///< the weights but for rounding
+  std::array<int, 4> ends;
+
+  Patch() = default;
+  Patch(const std::vector<int>& its_points, const std::vector<double>& warp, const std::vector<double>& weft,
+        const std::array<int, 4>& its_ends)
+      : ends(its_ends)
+  {
+    constexpr double rounding = 1e-11; // of the largest weight
+    double largest = 0.0;
+    for (const auto* weights_of_one : {&warp, &weft})
+      for (const double w : *weights_of_one) largest = std::max(largest, std::abs(w));
+    struct Term {
+      std::int64_t warp, weft;
+      std::size_t place;
+      auto operator<=>(const Term&) const = default;
+    };
+    const auto whole = [&](double w) { return std::llround(w / (rounding * largest)); };
+    std::vector<Term> terms;
+    for (std::size_t i = 0; i < its_points.size(); ++i) terms.push_back({whole(warp[i]), whole(weft[i]), i});
+    std::sort(terms.begin(), terms.end());
+    for (const Term& term : terms) {
+      points.push_back(its_points[term.place]);
+      weights.push_back({warp[term.place], weft[term.place]});
+      key.insert(key.end(), {term.warp, term.weft});
+    }
+  }
+};
+
+/// Finds weights that are there already.
+class CurvatureOperator::SharedWeights {
+public:
+  explicit SharedWeights(std::vector<YarnPair>& all) : all_(all) {}
+
+  /// Where a patch's weights begin.
+  int place(const Patch& patch)
+  {
+    const auto [at, is_new] = known_.try_emplace(patch.key, static_cast<int>(all_.size()));
+    if (is_new) all_.insert(all_.end(), patch.weights.begin(), patch.weights.end());
+    return at->second;
+  }
+
+private:
+  struct Hash {
+    std::size_t operator()(const std::vector<std::int64_t>& key) const
+    {
+      std::uint64_t sum = 0xcbf29ce484222325ULL; // FNV-1a, by words
+      for (const std::int64_t k : key) sum = (sum ^ static_cast<std::uint64_t>(k)) * 0x100000001b3ULL;
+      return static_cast<std::size_t>(sum ^ sum >> 32);
+    }
+  };
+  std::vector<YarnPair>& all_;
+  std::unordered_map<std::vector<std::int64_t>, int, Hash> known_;
+};
+
 CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const SymmetryLine> clamped, int balance)
 {
   const MirroredSheet sheet(blank.mesh, lines_of(blank, clamped));
   images = sheet.images;
   std::vector<QuadraticFit> fits(sheet.nodes);
-  chords.resize(sheet.nodes);
+  std::vector<std::array<int, 4>> chords(sheet.nodes);
   parallel_ranges(static_cast<std::ptrdiff_t>(sheet.nodes), [&](auto begin, auto end) {
     for (auto n = begin; n < end; ++n) {
       fits[n] = quadratic_fit(sheet, static_cast<int>(n));
@@ -120,16 +184,43 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
     for (std::size_t d = 0; d < 2; ++d)
       imbalance = std::max(imbalance,
                            balance_moments(sheet, blank.mesh, fits, area, directions[d], balance, weights[d]));
-  first.reserve(sheet.nodes + 1);
+  // Some blocks at a time: all patches together would be what a fine mesh takes most memory for.
+  constexpr std::size_t together = 64 * block_size;
+  SharedWeights shared(weight);
   first.push_back(0);
-  for (const QuadraticFit& fit : fits) first.push_back(first.back() + static_cast<int>(fit.points.size()));
-  point.reserve(static_cast<std::size_t>(first.back()));
-  weight.reserve(point.capacity());
-  for (std::size_t n = 0; n < sheet.nodes; ++n)
-    for (std::size_t i = 0; i < fits[n].points.size(); ++i) {
-      point.push_back(fits[n].points[i]);
-      weight.push_back({weights[0][n][i], weights[1][n][i]});
-    }
+  std::vector<Patch> patches;
+  for (std::size_t begin = 0; begin < sheet.nodes; begin += together) {
+    patches.resize(std::min(together, sheet.nodes - begin));
+    parallel_each(static_cast<int>(patches.size()), [&](int i) {
+      const std::size_t n = begin + static_cast<std::size_t>(i);
+      patches[i] = Patch(std::exchange(fits[n].points, {}), std::exchange(weights[0][n], {}), std::exchange(weights[1][n], {}),
+                         chords[n]);
+    });
+    for (std::size_t i = 0; i < patches.size(); i += block_size)
+      add_block(std::span(patches).subspan(i, std::min<std::size_t>(block_size, patches.size() - i)));
+    for (const Patch& patch : patches) weights_of.push_back(shared.place(patch));
+  }
+  slots.finish(sheet.nodes + images.size());
+  point.shrink_to_fit();
+  weight.shrink_to_fit();
+}
+
+void CurvatureOperator::add_block(std::span<const Patch> patches)
+{
+  std::vector<int> reached;
+  for (const Patch& patch : patches) {
+    reached.insert(reached.end(), patch.points.begin(), patch.points.end());
+    reached.insert(reached.end(), patch.ends.begin(), patch.ends.end());
+  }
+  const BlockSlots::Range range = slots.add(std::move(reached));
+  blocks.push_back({static_cast<int>(ends.size()), static_cast<int>(patches.size()), range});
+  const auto local = [&](int of_sheet) { return slots.local(range, of_sheet); };
+  for (const Patch& patch : patches) {
+    std::transform(patch.points.begin(), patch.points.end(), std::back_inserter(point), local);
+    first.push_back(static_cast<int>(point.size()));
+    const auto& [a0, a1, b0, b1] = patch.ends;
+    ends.push_back({local(a0), local(a1), local(b0), local(b1)});
+  }
 }
 
 bool CurvatureOperator::complete() const
@@ -148,12 +239,13 @@ std::vector<YarnPair> CurvatureOperator::at(std::span<const Vec3> position) cons
   parallel_ranges(static_cast<std::ptrdiff_t>(nodes()), [&](auto begin, auto end) {
     for (auto n = begin; n < end; ++n) {
       Vec3 warp, weft;
-      for (int t = first[n]; t < first[n + 1]; ++t) {
-        warp += weight[t].warp * x[point[t]];
-        weft += weight[t].weft * x[point[t]];
-      }
-      const Chords& c = chords[n];
-      const Vec3 normal = normalized(cross(x[c.a1] - x[c.a0], x[c.b1] - x[c.b0]));
+      each_term(static_cast<std::size_t>(n), [&](int of_sheet, const YarnPair& share) {
+        warp += share.warp * x[of_sheet];
+        weft += share.weft * x[of_sheet];
+      });
+      const std::span<const int> points = slots.points(blocks[static_cast<std::size_t>(n) / block_size].points);
+      const auto end_of = [&](std::size_t k) { return x[points[ends[n][k]]]; };
+      const Vec3 normal = normalized(cross(end_of(1) - end_of(0), end_of(3) - end_of(2)));
       curvature[n] = {dot(normal, warp), dot(normal, weft)};
     }
   });

@@ -1,8 +1,10 @@
 #pragma once
+#include "element/block_slots.hpp"
 #include "element/mirrored_sheet.hpp"
 #include "towform/blank.hpp"
 #include "towform/state.hpp"
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -14,17 +16,24 @@ namespace towform {
 /// Exact where positions are quadratic over the flat blank, whatever the mesh. Yarns being nearly
 /// inextensible, this is the curvature of the yarn itself; its bending in the sheet's plane is left out.
 struct CurvatureOperator {
-  /// The normal at a node lies along (x_a1 - x_a0) x (x_b1 - x_b0), two chords across its ring.
-  struct Chords {
-    int a0, a1, b0, b1;
+  /// Nodes that one thread computes at a time, and the points of their patches: nodes, and beyond these images. Points are
+  /// counted within the block.
+  struct Block {
+    int first_node = 0, nodes = 0;
+    BlockSlots::Range points;
   };
-
-  // Terms: points' shares in the second derivatives at a node, its own first.
-  std::vector<int> first;       ///< n + 1, of each node's terms
-  std::vector<int> point;       ///< of each term; points beyond the nodes are images
-  std::vector<YarnPair> weight; ///< likewise, c_k^1 and c_k^2 [1/m^2]
-  std::vector<Chords> chords;
+  static constexpr int block_size = 128;
+  std::vector<Block> blocks;
+  BlockSlots slots;
   std::vector<MirrorImage> images;
+
+  // Terms: points' shares in the second derivatives at a node.
+  std::vector<int> first;           ///< n + 1, of each node's terms
+  std::vector<std::uint16_t> point; ///< of each term
+  std::vector<int> weights_of;      ///< n, where a node's weights begin: patches that differ by rounding alone share them
+  std::vector<YarnPair> weight;     ///< c_k^1 and c_k^2 [1/m^2]
+  /// n: the normal at a node lies along (x_1 - x_0) x (x_3 - x_2), two chords across its ring.
+  std::vector<std::array<std::uint16_t, 4>> ends;
   double imbalance = 0.0; ///< of the moments, over that of the fits alone
 
   /// Weights along the blank's warp and weft. `balance` says how often moments are balanced
@@ -32,11 +41,24 @@ struct CurvatureOperator {
   /// a quadratic leaves nodes without terms.
   CurvatureOperator(const Blank& blank, std::span<const SymmetryLine> clamped, int balance);
 
-  [[nodiscard]] std::size_t nodes() const { return chords.size(); }
+  [[nodiscard]] std::size_t nodes() const { return ends.size(); }
+  /// work(point of the whole sheet, weight) for a node's terms.
+  template <class Work>
+  void each_term(std::size_t node, const Work& work) const
+  {
+    const std::span<const int> points = slots.points(blocks[node / block_size].points);
+    const YarnPair* its = weight.data() + weights_of[node];
+    for (int t = first[node]; t < first[node + 1]; ++t) work(points[point[t]], *its++);
+  }
   /// Has every node its terms?
   [[nodiscard]] bool complete() const;
   /// At every node, of a sheet at `position`.
   [[nodiscard]] std::vector<YarnPair> at(std::span<const Vec3> position) const;
+
+private:
+  struct Patch;
+  class SharedWeights;
+  void add_block(std::span<const Patch> patches);
 };
 
 /// Positions of nodes and images by number.

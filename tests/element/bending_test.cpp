@@ -52,10 +52,10 @@ TEST(Curvature, IsExactForEveryQuadraticOnEveryMesh)
     const auto second = [](const Vec3& f) { return 6.0 * f.x * f.x - 8.0 * f.x * f.y + 10.0 * f.y * f.y; };
     for (std::size_t n = 0; n < op.nodes(); ++n) {
       double warp = 0.0, weft = 0.0;
-      for (int t = op.first[n]; t < op.first[n + 1]; ++t) {
-        warp += op.weight[t].warp * field(blank.mesh.points[op.point[t]]);
-        weft += op.weight[t].weft * field(blank.mesh.points[op.point[t]]);
-      }
+      op.each_term(n, [&](int point, const YarnPair& weight) {
+        warp += weight.warp * field(blank.mesh.points[point]);
+        weft += weight.weft * field(blank.mesh.points[point]);
+      });
       // Weights are of order 1e5 1/m^2 on values of order 1.
       EXPECT_NEAR(warp, second(blank.warp), 1e-9) << named(pattern, angle);
       EXPECT_NEAR(weft, second(blank.weft), 1e-9) << named(pattern, angle);
@@ -107,10 +107,10 @@ Eigen::MatrixXd stiffness_of(const Bending& bending)
   const auto n = static_cast<Eigen::Index>(op.nodes());
   Eigen::MatrixXd warp = Eigen::MatrixXd::Zero(n, n), weft = warp;
   for (Eigen::Index i = 0; i < n; ++i)
-    for (int t = op.first[i]; t < op.first[i + 1]; ++t) {
-      warp(i, op.point[t]) += op.weight[t].warp * std::sqrt(bending.area[i] * bending.warp.stiffness());
-      weft(i, op.point[t]) += op.weight[t].weft * std::sqrt(bending.area[i] * bending.weft.stiffness());
-    }
+    op.each_term(static_cast<std::size_t>(i), [&](int point, const YarnPair& weight) {
+      warp(i, point) += weight.warp * std::sqrt(bending.area[i] * bending.warp.stiffness());
+      weft(i, point) += weight.weft * std::sqrt(bending.area[i] * bending.weft.stiffness());
+    });
   return warp.transpose() * warp + weft.transpose() * weft;
 }
 
@@ -150,7 +150,7 @@ TEST(Bending, PatchBentUniformlyHasNoWayRoundItsStiffness)
     const Eigen::VectorXd load = (k * bent)(inside);
     const double gained = load.dot(k(inside, inside).ldlt().solve(load)) / (stiffness * area);
     const double terms =
-        static_cast<double>(bending.curvature.weight.size()) / static_cast<double>(bent.size());
+        static_cast<double>(bending.curvature.point.size()) / static_cast<double>(bent.size());
     std::printf("%s: stiffness %.6f, imbalance left %.1e, %.1f terms a node\n", named(pattern, angle).c_str(),
                 1.0 - gained, bending.curvature.imbalance, terms);
     EXPECT_LT(gained, 1e-3) << named(pattern, angle);
