@@ -81,14 +81,12 @@ std::vector<double> areas_of(const SurfaceMesh& flat)
   return area;
 }
 
-/// Of the fits' weights none but those of nodes on the outline are wanted any more: a third of what fine meshes take.
-void keep_slopes_on_outline(const SurfaceMesh& flat, std::vector<QuadraticFit>& fits)
+std::vector<char> on_outline(const SurfaceMesh& flat)
 {
-  std::vector<char> is_wanted(fits.size(), 0);
+  std::vector<char> is_on(flat.points.size(), 0);
   for (const auto& edge : outline_edges(flat.triangles))
-    for (const int n : edge) is_wanted[n] = 1;
-  for (std::size_t n = 0; n < fits.size(); ++n)
-    if (is_wanted[n] == 0) std::vector<QuadraticFit::Weights>().swap(fits[n].weights);
+    for (const int n : edge) is_on[n] = 1;
+  return is_on;
 }
 
 } // namespace
@@ -158,28 +156,27 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
   images = sheet.images;
   std::vector<QuadraticFit> fits(sheet.nodes);
   std::vector<std::array<int, 4>> chords(sheet.nodes);
+  const std::vector<char> outline = on_outline(blank.mesh);
+  const std::array<Vec3, 2> directions{blank.warp, blank.weft};
+  std::array<DirectionalWeights, 2> weights;
+  for (DirectionalWeights& w : weights) w.resize(sheet.nodes);
   parallel_ranges(static_cast<std::ptrdiff_t>(sheet.nodes), [&](auto begin, auto end) {
     for (auto n = begin; n < end; ++n) {
       fits[n] = quadratic_fit(sheet, static_cast<int>(n));
       chords[n] = chords_of(sheet, static_cast<int>(n), blank.warp);
+      for (std::size_t d = 0; d < 2; ++d) {
+        const Vec3& f = directions[d];
+        weights[d][n].reserve(fits[n].weights.size());
+        for (const QuadraticFit::Weights& w : fits[n].weights)
+          weights[d][n].push_back(f.x * f.x * w.xx + 2.0 * f.x * f.y * w.xy + f.y * f.y * w.yy);
+      }
+      // Slopes are wanted on the outline alone, and would be most of what set-up needs memory for.
+      if (outline[n] == 0) std::vector<QuadraticFit::Weights>().swap(fits[n].weights);
     }
   });
-  const std::array<Vec3, 2> directions{blank.warp, blank.weft};
-  std::array<DirectionalWeights, 2> weights;
   const bool fitted =
       std::all_of(fits.begin(), fits.end(), [](const QuadraticFit& fit) { return !fit.points.empty(); });
   const std::vector<double> area = areas_of(blank.mesh);
-  for (std::size_t d = 0; d < 2; ++d) {
-    const Vec3& f = directions[d];
-    weights[d].reserve(fits.size());
-    for (const QuadraticFit& fit : fits) {
-      std::vector<double>& of_node = weights[d].emplace_back();
-      of_node.reserve(fit.weights.size());
-      for (const QuadraticFit::Weights& w : fit.weights)
-        of_node.push_back(f.x * f.x * w.xx + 2.0 * f.x * f.y * w.xy + f.y * f.y * w.yy);
-    }
-  }
-  keep_slopes_on_outline(blank.mesh, fits);
   if (balance > 0 && fitted)
     for (std::size_t d = 0; d < 2; ++d)
       imbalance = std::max(imbalance,
