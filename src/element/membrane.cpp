@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 namespace towform {
@@ -26,6 +27,7 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
       elements(triangles, blank.mesh.points.size()), reference_sine(dot(blank.warp, blank.weft)),
       thickness(blank.thickness), yarn(yarn_law), law(std::move(fabric_law))
 {
+  std::vector<YarnGradients> gradients;
   gradients.reserve(triangles.size());
   area.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles) {
@@ -43,10 +45,10 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
       yarn_strain == YarnStrain::triangle || (yarn_strain == YarnStrain::automatic && follows_yarns(blank));
   strips = own ? strips_of_one(area) : lay_strips(blank, area);
   blocks = ElementBlocks(triangles, node_area.size(), strips);
-  fill_places();
+  fill_places(gradients);
 }
 
-void Membrane::fill_places()
+void Membrane::fill_places(std::span<const YarnGradients> gradients)
 {
   coefficients_.reserve(5 * blocks.element.size());
   for (ElementBlocks::Block& b : blocks.blocks) {
@@ -79,17 +81,16 @@ double Membrane::yarn_energy(const State& s) const
     for (std::size_t i = begin; i < end; ++i) sum += strips.area[i] * yarn.energy(s.strip_strain[i]);
     return sum;
   });
-  const double of_springs = parallel_sum(triangles.size(), [&](std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t e = begin; e < end; ++e) {
-      const YarnVectors y(triangles[e], gradients[e], s.position);
+  std::vector<double> of_springs(blocks.blocks.size());
+  parallel_each(blocks.count(), [&](int number) {
+    each_own(blocks.blocks[number], [&](std::size_t e, const YarnGradients& gradients) {
+      const YarnVectors y(triangles[e], gradients, s.position);
       const double warp = y.lambda1 - 1.0 - s.strip_strain[strips.of[2 * e]];
       const double weft = y.lambda2 - 1.0 - s.strip_strain[strips.of[2 * e + 1]];
-      sum += 0.5 * own_stiffness * area[e] * (warp * warp + weft * weft);
-    }
-    return sum;
+      of_springs[number] += 0.5 * own_stiffness * area[e] * (warp * warp + weft * weft);
+    });
   });
-  return of_strips + of_springs;
+  return std::accumulate(of_springs.begin(), of_springs.end(), of_strips);
 }
 
 void start(const Membrane& membrane, State& s)

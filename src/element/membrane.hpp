@@ -55,10 +55,9 @@ struct ElementsOfNode {
 ///   sum over strips A w(mean) + sum over entries A K (own - mean)^2 / 2,
 /// so that forces are its exact derivative.
 struct Membrane {
-  std::vector<Triangle> triangles;      ///< m
-  std::vector<YarnGradients> gradients; ///< m
-  std::vector<double> area;             ///< m, reference [m^2]
-  std::vector<double> node_area;        ///< n, a third of the elements round a node [m^2]
+  std::vector<Triangle> triangles; ///< m
+  std::vector<double> area;        ///< m, reference [m^2]
+  std::vector<double> node_area;   ///< n, a third of the elements round a node [m^2]
   ElementsOfNode elements;
   YarnStrips strips;
   ElementBlocks blocks;
@@ -77,9 +76,17 @@ struct Membrane {
   /// What a block's elements are made of.
   [[nodiscard]] MembraneCoefficients coefficients(const ElementBlocks::Block& block) const;
   [[nodiscard]] StripEntries entries(const ElementBlocks::Block& block) const;
+  /// work(element, gradients) for a block's own elements.
+  template <class Work>
+  void each_own(const ElementBlocks::Block& block, const Work& work) const
+  {
+    const MembraneCoefficients c = coefficients(block);
+    for (int i = 0; i < block.own; ++i)
+      work(static_cast<std::size_t>(block.first_element + i), YarnGradients{c.warp_1[i], c.warp_2[i], c.weft_1[i], c.weft_2[i]});
+  }
 
 private:
-  void fill_places();
+  void fill_places(std::span<const YarnGradients> gradients);
   std::vector<double> coefficients_; // by block, each coefficient of all its places
 };
 

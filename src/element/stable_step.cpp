@@ -32,12 +32,15 @@ public:
 
   explicit StripParts(const Membrane& membrane)
   {
+    std::vector<YarnGradients> of_element(membrane.triangles.size());
+    for (const ElementBlocks::Block& block : membrane.blocks.blocks)
+      membrane.each_own(block, [&](std::size_t e, const YarnGradients& g) { of_element[e] = g; });
     first_.push_back(0);
     for (std::size_t i = 0; i < membrane.strips.size(); ++i) {
       const auto begin = static_cast<std::ptrdiff_t>(parts_.size());
       for (const YarnEntry entry : membrane.strips.entries_of(i)) {
         const int e = entry / 2, family = entry % 2;
-        const auto gradients = corner_gradients(membrane.gradients[e]);
+        const auto gradients = corner_gradients(of_element[e]);
         const double weight = membrane.area[e] / membrane.strips.area[i];
         for (int c = 0; c < 3; ++c) {
           const int component = 2 * membrane.triangles[e][c] + family;

@@ -26,11 +26,6 @@ struct FrameState {
   const CurvatureOperator& curvature;
 
   [[nodiscard]] const State& sheet() const { return system.sheet; }
-  [[nodiscard]] YarnVectors yarns(std::size_t element) const
-  {
-    const Membrane& membrane = model.membrane;
-    return {membrane.triangles[element], membrane.gradients[element], sheet().position};
-  }
 };
 
 /// value(i) for all nodes or elements.
@@ -46,6 +41,19 @@ template <class T, class Value>
 void fill_elements(const FrameState& s, std::vector<T>& field, const Value& value)
 {
   fill(field, s.model.membrane.triangles.size(), value);
+}
+
+/// value(element, its yarns) for all elements.
+template <class T, class Value>
+void fill_yarns(const FrameState& s, std::vector<T>& field, const Value& value)
+{
+  const Membrane& membrane = s.model.membrane;
+  field.resize(membrane.triangles.size());
+  parallel_each(membrane.blocks.count(), [&](int number) {
+    membrane.each_own(membrane.blocks.blocks[number], [&](std::size_t e, const YarnGradients& gradients) {
+      field[e] = value(e, YarnVectors(membrane.triangles[e], gradients, s.sheet().position));
+    });
+  });
 }
 
 void velocity(const FrameState& s, Frame& f)
@@ -113,8 +121,7 @@ void thickness(const FrameState& s, Frame& f)
 {
   const Membrane& membrane = s.model.membrane;
   const double reference_cosine = std::sqrt(1.0 - membrane.reference_sine * membrane.reference_sine);
-  fill_elements(s, f.thickness, [&](std::size_t e) {
-    const YarnVectors y = s.yarns(e);
+  fill_yarns(s, f.thickness, [&](std::size_t e, const YarnVectors& y) {
     const double sine = s.sheet().sine[e];
     return membrane.thickness * reference_cosine / (y.lambda1 * y.lambda2 * std::sqrt(1.0 - sine * sine));
   });
@@ -140,11 +147,11 @@ constexpr NamedField frame_fields[] = {
     {"shear_force", [](const FrameState& s, Frame& f) { f.shear_force = s.sheet().shear_force; }},
     {"fibre_1",
      [](const FrameState& s, Frame& f) {
-       fill_elements(s, f.fibre_1, [&](std::size_t e) { return s.yarns(e).f1; });
+       fill_yarns(s, f.fibre_1, [](std::size_t, const YarnVectors& y) { return y.f1; });
      }},
     {"fibre_2",
      [](const FrameState& s, Frame& f) {
-       fill_elements(s, f.fibre_2, [&](std::size_t e) { return s.yarns(e).f2; });
+       fill_yarns(s, f.fibre_2, [](std::size_t, const YarnVectors& y) { return y.f2; });
      }},
     {"fibre_strain", fibre_strain},
     {"curvature", curvature},
