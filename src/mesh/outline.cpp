@@ -1,30 +1,33 @@
 #include "mesh/outline.hpp"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace towform {
 
 std::vector<std::array<int, 2>> outline_edges(std::span<const Triangle> triangles)
 {
-  struct Edge {
-    int low, high;
-    bool rising; // the triangle runs from low to high
-    bool operator<(const Edge& b) const { return low < b.low || (low == b.low && high < b.high); }
+  // By their lower node, which little memory is needed for: twice the higher one, and one more where the triangle rises to it.
+  int nodes = 0;
+  for (const Triangle& t : triangles) nodes = std::max({nodes, t[0] + 1, t[1] + 1, t[2] + 1});
+  std::vector<int> first(static_cast<std::size_t>(nodes) + 1, 0), edge(3 * triangles.size());
+  const auto each_edge = [&](const auto& work) {
+    for (const Triangle& t : triangles)
+      for (std::size_t k = 0; k < 3; ++k) work(t[k], t[(k + 1) % 3]);
   };
-  std::vector<Edge> edges;
-  edges.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const int a = t[k], b = t[(k + 1) % 3];
-      edges.push_back({std::min(a, b), std::max(a, b), a < b});
-    }
-  std::sort(edges.begin(), edges.end());
+  each_edge([&](int a, int b) { ++first[std::min(a, b) + 1]; });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<int> next(first.begin(), first.end() - 1);
+  each_edge([&](int a, int b) { edge[next[std::min(a, b)]++] = 2 * std::max(a, b) + (a < b ? 1 : 0); });
   std::vector<std::array<int, 2>> outline;
-  for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
-    while (last < edges.size() && !(edges[first] < edges[last])) ++last;
-    const Edge& e = edges[first];
-    if (last - first == 1)
-      outline.push_back(e.rising ? std::array<int, 2>{e.low, e.high} : std::array<int, 2>{e.high, e.low});
+  for (int low = 0; low < nodes; ++low) {
+    const auto end = edge.begin() + first[low + 1];
+    std::sort(edge.begin() + first[low], end);
+    for (auto e = edge.begin() + first[low]; e != end;) {
+      const auto after = std::find_if(e, end, [&](int other) { return other / 2 != *e / 2; });
+      if (after - e == 1) outline.push_back(*e % 2 != 0 ? std::array{low, *e / 2} : std::array{*e / 2, low});
+      e = after;
+    }
   }
   return outline;
 }
