@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int schema = 4;
+constexpr int schema = 5;
 constexpr hsize_t block_size = 512; ///< the smallest user block of HDF5
 
 /// The user block: text, so that `head -4 checkpoint.h5` shows it.

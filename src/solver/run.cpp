@@ -39,13 +39,13 @@ double present_step(const Model& model, const StepBound& bound, const System& s,
   return step;
 }
 
-/// The next steps evenly up to `time`: the stable step is looked at now and then.
-Stride next_stride(double time, double stable_step, double now)
+constexpr std::int64_t steps_between_looks = 100; ///< at the stable step
+
+/// The next steps evenly up to `time`, `most` of them.
+Stride next_stride(double time, double stable_step, double now, std::int64_t most)
 {
-  constexpr std::int64_t steps_between_looks = 100;
   const auto left = static_cast<std::int64_t>(std::ceil((time - now) / stable_step * (1.0 - 1e-9)));
-  return {(time - now) / static_cast<double>(left), std::min(left, steps_between_looks),
-          left <= steps_between_looks};
+  return {(time - now) / static_cast<double>(left), std::min(left, most), left <= most};
 }
 
 /// Threads that are worth waking for a sheet: a few microseconds of each step go into that, more on a busy machine.
@@ -142,7 +142,10 @@ private:
       }
       session_.progress().update(progress());
       if (stride.arrives) return true;
-      stride = next_stride(time, present_step(model_, bound_, s, run_.look, limiting_), s.sheet.time);
+      KnownStep& known = run_.known;
+      if (known.at < 0 || s.sheet.step - known.at >= steps_between_looks)
+        known = {present_step(model_, bound_, s, run_.look, limiting_), s.sheet.step};
+      stride = next_stride(time, known.step, s.sheet.time, known.at + steps_between_looks - s.sheet.step);
       run_.phases.mark(Phase::stable_step);
     }
   }

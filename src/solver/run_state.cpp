@@ -182,12 +182,15 @@ void visit(FieldVisitor& v, Record& s)
 
 void visit(FieldVisitor& v, RunState& s)
 {
-  auto& [system, look, stride, event, record, phases] = s;
+  auto& [system, look, known, stride, event, record, phases] = s;
   auto& [measured, bound] = look;
+  auto& [known_step, known_at] = known;
   auto& [dt, steps_left, arrives] = stride;
   visit(v, system);
   v("look.step", measured);
   v("look.bound", bound);
+  v("known.step", known_step);
+  v("known.at", known_at);
   v("stride.dt", dt);
   v("stride.steps_left", steps_left);
   v("stride.arrives", arrives);

@@ -16,11 +16,17 @@ struct Record {
   int iterations = 0;                ///< of Newton's method since the last row
 };
 
-/// Equal steps towards the next output, as they were chosen at the last look at the stable step.
+/// Equal steps towards the next output.
 struct Stride {
   double dt = 0.0;             ///< [s]
-  std::int64_t steps_left = 0; ///< before the next look
+  std::int64_t steps_left = 0; ///< before the next look or output
   bool arrives = false;        ///< the last of them is at the output's time
+};
+
+/// The stable step as last looked at, and when.
+struct KnownStep {
+  double step = 0.0;    ///< [s]
+  std::int64_t at = -1; ///< after so many steps; -1: not yet
 };
 
 /// All that changes while an explicit run goes on, between two steps: the same state goes on to the same
@@ -28,6 +34,7 @@ struct Stride {
 struct RunState {
   System system;
   StepLook look; ///< when the stable step was last measured
+  KnownStep known;
   Stride stride;
   std::int64_t event = 0; ///< the next output of the case, from 0
   Record record;

@@ -344,7 +344,7 @@ CASES["a_folder_for_a_case"] = {"folder/x": b""}, ("check", "folder")
 CASES["resume_nothing"] = {}, ("resume", "none")
 CASES["resume_an_empty_folder"] = {"folder/x": b""}, ("resume", "folder")
 for name, content in {"checkpoint_empty": b"", "checkpoint_text": b"not a checkpoint" * 100,
-                      "checkpoint_lies": b"towform checkpoint\nschema 4\nbytes 99999999999999999999\ncrc32 0\n".ljust(600, b"\0"),
+                      "checkpoint_lies": b"towform checkpoint\nschema 5\nbytes 99999999999999999999\ncrc32 0\n".ljust(600, b"\0"),
                       "checkpoint_of_another_schema": b"towform checkpoint\nschema 77\nbytes 600\ncrc32 0\n".ljust(600, b"\0"),
                       "checkpoint_of_zeros": b"\0" * 10000}.items():
     CASES[name] = {"folder/checkpoint.h5": content}, ("resume", "folder")

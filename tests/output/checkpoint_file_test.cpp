@@ -100,7 +100,7 @@ TEST_F(CheckpointFile, IsRefusedWhenItIsNotOne)
   EXPECT_TRUE(contains(refusal(), "is not a checkpoint of towform")) << refusal();
   write(1.0);
   damage(0, "towform checkpoint\nschema 9\n");
-  EXPECT_TRUE(contains(refusal(), "has schema 9, this towform reads schema 4")) << refusal();
+  EXPECT_TRUE(contains(refusal(), "has schema 9, this towform reads schema 5")) << refusal();
 }
 
 TEST_F(CheckpointFile, SaysWhichArrayDoesNotFit)
