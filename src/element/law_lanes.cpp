@@ -1,6 +1,6 @@
 #include "element/membrane_lanes.hpp"
 #include "parallel/vector_clones.hpp"
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -94,24 +94,23 @@ void take_those_left(int count, const TableLanes& t, MembraneBatch& b)
   for (int i = 0; i < count; ++i) b.rate[t.index[i]] = t.rate[i];
 }
 
-/// Moves the unsettled ones to the front; returns how many. All are moved, and the settled then overwritten: who is settled
-/// cannot be guessed, and a wrong guess takes longer than the move.
+/// Moves the unsettled ones to the front; returns how many. Who is settled cannot be guessed, and a wrong guess takes longer than to
+/// write down every number.
 int keep_unsettled(int count, TableLanes& t)
 {
-  constexpr int together = 8;
+  std::array<std::int32_t, TableLanes::size + 1> those;
   int left = 0;
-  for (int first = 0; first < count; first += together) {
-    std::int64_t any = 0; // lanes beyond the count may say so too
-    for (int i = first; i < first + together; ++i) any |= t.unsettled[i];
-    if (any == 0) continue;
-    for (int i = first; i < std::min(first + together, count); ++i) {
-      t.weight[left] = t.weight[i];
-      t.trial[left] = t.trial[i];
-      t.rate[left] = t.rate[i];
-      t.row[left] = t.row[i];
-      t.index[left] = t.index[i];
-      left += static_cast<int>(t.unsettled[i]);
-    }
+  for (int i = 0; i < count; ++i) {
+    those[left] = i;
+    left += static_cast<int>(t.unsettled[i]);
+  }
+  for (int k = 0; k < left; ++k) {
+    const int i = those[k];
+    t.weight[k] = t.weight[i];
+    t.trial[k] = t.trial[i];
+    t.rate[k] = t.rate[i];
+    t.row[k] = t.row[i];
+    t.index[k] = t.index[i];
   }
   return left;
 }
