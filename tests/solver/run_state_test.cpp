@@ -62,7 +62,8 @@ TEST(RunState, EveryMemberIsVisited)
   const std::size_t whole = 1 + visited<State>() + visited<BendingState>() + 2 * visited<ToolState>() +
                             2 * visited<ContactState>() + 3 * visited<BoundaryState>();
   EXPECT_EQ(visited(system), whole);
-  EXPECT_EQ(visited<RunState>(), visited<System>() + member_count<StepLook>() + member_count<Stride>() + visited<Record>() + 2);
+  EXPECT_EQ(visited<RunState>(), visited<System>() + member_count<StepLook>() + member_count<KnownStep>() +
+                                     member_count<Stride>() + visited<Record>() + 2);
   EXPECT_EQ(visited<StaticsRunState>(), visited<StaticsState>() + visited<Record>() + 4);
 }
 
