@@ -4,8 +4,8 @@
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <compare>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <numeric>

@@ -63,6 +63,16 @@ TEST(Curvature, IsExactForEveryQuadraticOnEveryMesh)
   }
 }
 
+TEST(Curvature, PatchesThatAreAlikeShareTheirWeights)
+{
+  const auto share = [](Pattern pattern) {
+    const CurvatureOperator op(test::blank(pattern, 0.0, 0.0, 4000), {}, 0);
+    return static_cast<double>(op.weight.size()) / static_cast<double>(op.point.size());
+  };
+  EXPECT_LT(share(Pattern::diagonal), 0.02);
+  EXPECT_GT(share(Pattern::unstructured), 0.9);
+}
+
 TEST(Curvature, NeedsEnoughNodes)
 {
   BlankParameters p;
