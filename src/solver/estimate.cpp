@@ -12,8 +12,8 @@ namespace {
 constexpr double element_step = 45e-9, bending_step = 5e-9;
 /// Threads wait for each other: of each further one this part counts (measured with two, assumed for more).
 constexpr double further_thread = 0.85;
-/// Peak memory: 84 MB with 21,672 triangles, 138 MB with 100,000, 709 MB with 1,000,000.
-constexpr double memory_alone = 60e6, memory_element = 680.0; // [bytes]
+/// Peak memory: 82 MB with 21,672 triangles, 124 MB with 100,000, 579 MB with 1,000,000.
+constexpr double memory_alone = 70e6, memory_element = 500.0; // [bytes]
 
 std::string shown_time(double seconds)
 {

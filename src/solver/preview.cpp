@@ -36,7 +36,7 @@ void write_preview(const Case& c, const std::filesystem::path& directory, bool f
     with_files([&] { return StaticsRecorder(c, problem, directory, record); }, start(problem.model));
   } else {
     const Model model = build_model(c);
-    with_files([&] { return Recorder(c, model, directory, record); }, start(model));
+    with_files([&] { return Recorder(c, model, ShownCurvature(model), directory, record); }, start(model));
   }
 }
 

@@ -30,12 +30,12 @@ double kinetic_to_internal(const Energies& e) { return e.internal() > 0.0 ? e.ki
 
 } // namespace
 
-Recorder::Recorder(const Case& c, const Model& model, const std::filesystem::path& directory, Record& record)
-    : case_(c), model_(model), record_(record), directory_(directory), gauge_(model.blank),
+Recorder::Recorder(const Case& c, const Model& model, ShownCurvature curvature, const std::filesystem::path& directory,
+                   Record& record)
+    : case_(c), model_(model), curvature_(std::move(curvature)), record_(record), directory_(directory), gauge_(model.blank),
       results_(open_results(c, directory, model.blank.mesh, record)),
       history_(open_history(directory, history_columns(model), record))
 {
-  if (model.bending.empty()) own_curvature_.emplace(model.blank, model.clamped, 0);
   record_.summary.elements = static_cast<std::int64_t>(model.membrane.triangles.size());
   record_.summary.nodes = static_cast<std::int64_t>(model.mass.size());
   record_.summary.added_mass_fraction = model.added_mass_fraction;
@@ -109,9 +109,8 @@ void Recorder::history(const System& s)
 
 void Recorder::frame(const System& s, Progress& progress)
 {
-  const CurvatureOperator& curvature = own_curvature_ ? *own_curvature_ : model_.bending.front().curvature;
   results_->append(s.sheet.time, !model_.tools.empty(),
-                   [&](std::string_view field) { return frame_field(model_, s, curvature, field); });
+                   [&](std::string_view field) { return frame_field(model_, s, curvature_.get(), field); });
   ++record_.frames;
   std::string forces;
   for (std::size_t i = 0; i < s.tools.size(); ++i)

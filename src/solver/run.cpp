@@ -13,6 +13,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <malloc.h>
+#include <utility>
 
 namespace towform {
 
@@ -72,12 +73,13 @@ public:
     if (thread_count == 0) set_threads(std::min(threads(), useful_threads(model_)));
     record_ = &run_.record;
     event_ = &run_.event;
+    ShownCurvature curvature(model_);
     give_back_memory();
     run_.system = session.resumes() ? at_rest(model_) : start(model_);
     run_.look = model_.first_look;
     run_.record.summary.energies_J = listed(Energies{});
     session.begin(run_.record, [this](FieldVisitor& v) { visit(v, run_); });
-    recorder_.emplace(case_, model_, session.directory(), run_.record);
+    recorder_.emplace(case_, model_, std::move(curvature), session.directory(), run_.record);
     run_.record.summary.threads = threads();
     run_.phases.begin();
   }
