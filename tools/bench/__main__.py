@@ -20,11 +20,11 @@ where arithmetic alone would take 10 ns: everything on takes 35 ns on one thread
 counted here, takes 0.3 s more. More than half of a step is the membrane, of which vectors do half and gathering, scattering and strips of yarn the rest; a third is
 contact. Bending, held for up to eight steps, is 3 ns of 36; computed at every step it is 15. Single precision in the membrane's geometry
 was tried and brought 3 % of it: what limits it is not arithmetic.
-From 5,000 to 100,000 elements an element costs within 20 % of the middle of them; from 400,000 on the sheet is read from memory, and its waves of
+From 5,000 to 100,000 elements an element costs within 21 % of the middle of them; from 400,000 on the sheet is read from memory, and its waves of
 bending are so fast that it is computed every second or third step: 26 % more than the middle of all sizes on one thread, 28 % on two.
 Memory is 0.5 kB an element of a fine mesh, beside some 60 MB for the program and the tools (0.6 with these).
 
-**Error.** The aim is 1 degree RMS in 2 s: the double dome takes 0.5 s, the hemisphere 0.7 s (below). At the real speed of the press four times
+**Error.** The aim is 1 degree RMS in 2 s: the double dome takes 0.5 s, the hemisphere 0.6 s (below). At the real speed of the press four times
 the mass halves the time and moves angles by less than the mesh does (RMS); ten times the mass, `towform run --fast`, is the better way to save
 time than a coarser mesh. Both change forces. Defaults are the case's own mass and speed.
 """
