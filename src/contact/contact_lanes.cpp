@@ -236,7 +236,7 @@ int those_that_touch(const ContactLanes& c, const std::uint8_t* groups, int coun
 ContactSums push(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
                  const GapLanes& gaps)
 {
-  std::array<std::uint8_t, NodeLanes::size / group + 1> touching;
+  std::array<std::uint8_t, NodeLanes::size / group> touching;
   const int touch = those_that_touch(c, groups, count, gaps, touching.data());
   if (touch == 0) return {};
   PushLanes p;

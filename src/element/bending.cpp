@@ -1,4 +1,5 @@
 #include "element/bending.hpp"
+#include "element/held_bending.hpp"
 #include "element/vec4.hpp"
 #include "parallel/parallel.hpp"
 #include "parallel/vector_clones.hpp"

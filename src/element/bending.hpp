@@ -50,10 +50,6 @@ void bending_forces(const Bending& bending, BendingState& b, State& s, double dt
 void linear_bending_forces(const Bending& bending, double factor, std::span<const Vec3> position,
                            std::span<const Vec3> motion, std::vector<Vec3>& block_force, std::span<Vec3> force);
 
-/// How far ahead of the last look at the curvatures, over the time between two, the middle of the time is for which forces are
-/// held: those at n kick from n - 1/2 to n + 1/2, held ones up to n + interval - 1/2.
-[[nodiscard]] constexpr double held_ahead(int interval) { return 0.5 * (interval - 1) / interval; }
-
 /// Elastic energy of bending at the state's curvatures [J].
 double bending_energy(const Bending& bending, const BendingState& b);
 

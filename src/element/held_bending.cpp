@@ -1,5 +1,4 @@
 #include "element/held_bending.hpp"
-#include "element/bending.hpp"
 #include <Eigen/Eigenvalues>
 
 namespace towform {

@@ -98,7 +98,7 @@ void take_those_left(int count, const TableLanes& t, MembraneBatch& b)
 /// write down every number.
 int keep_unsettled(int count, TableLanes& t)
 {
-  std::array<std::int32_t, TableLanes::size + 1> those;
+  std::array<std::int32_t, TableLanes::size> those;
   int left = 0;
   for (int i = 0; i < count; ++i) {
     those[left] = i;

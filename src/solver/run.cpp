@@ -56,7 +56,7 @@ int useful_threads(const Model& model)
   return static_cast<int>(std::max<std::size_t>(1, model.membrane.triangles.size() / elements_a_thread));
 }
 
-/// Set-up leaves a great many small pieces free, which the C library would keep: a sixth of what a fine mesh takes.
+/// Set-up leaves a great many small pieces free, which the C library would keep: a tenth of what a fine mesh takes.
 void give_back_memory()
 {
 #ifdef __GLIBC__

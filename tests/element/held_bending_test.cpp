@@ -1,4 +1,3 @@
-#include "element/bending.hpp"
 #include "element/held_bending.hpp"
 #include <algorithm>
 #include <cmath>
