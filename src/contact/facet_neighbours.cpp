@@ -195,9 +195,13 @@ FacetNeighbours::Limit FacetNeighbours::reach_above(const Vec3& p, int facet, do
       limit.see(to_bisector, n.over_turn * (n.normal - normal));
       continue;
     }
-    const double distance = std::sqrt(nearest_on_facet(surface_.tree().facet(n.facet), p).distance_squared);
+    // It is not before the plane through its nearest point square to the way there, which stands for its own.
+    const FacetPoint point = nearest_on_facet(surface_.tree().facet(n.facet), p);
+    const double distance = std::sqrt(point.distance_squared);
     if (distance <= height + doubt) return none;
-    limit.see(0.5 * (distance - height), {});
+    const Vec3 turn = (1.0 / distance) * (p - point.point) - normal;
+    const double size = norm(turn);
+    if (const double room = distance - height; room < limit.room * size) limit.see(room / size, (1.0 / size) * turn);
   }
   return limit;
 }
@@ -247,6 +251,7 @@ FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
       if (const auto found = above()) return *found;
     if (is_far(best.distance_squared)) return Nearest{point, 0.0, p};
   }
+  const int tried = facet;
   for (const int near : of(facet, all_)) {
     const Facet& other = surface_.tree().facet(near);
     const double height = other.height(p);
@@ -258,6 +263,8 @@ FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
       facet = near;
     }
   }
+  if (facet != tried)
+    if (const auto found = above()) return *found;
   Nearest found{surface_.at(p, facet, best), 0.0, p};
   if (best.feature < Feature::corner_0) set_rival(p, best, found);
   return found;
