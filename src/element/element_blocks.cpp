@@ -30,13 +30,14 @@ int strips_before(const YarnStrips& strips, int first, int end)
 
 } // namespace
 
-ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, YarnStrips& strips)
+ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, std::span<const int> tiles, YarnStrips& strips)
 {
   const int elements = static_cast<int>(triangles.size());
   entry.resize(strips.entry.size());
   Block b;
   while (b.first_element < elements) {
-    b.own = std::min(own_most, elements - b.first_element);
+    const auto next = std::upper_bound(tiles.begin(), tiles.end(), b.first_element);
+    b.own = std::min(own_most, (next == tiles.end() ? elements : *next) - b.first_element);
     std::vector<int> guests;
     while (true) {
       b.strips = strips_before(strips, b.first_strip, b.first_element + b.own);

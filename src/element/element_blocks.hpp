@@ -13,8 +13,8 @@ namespace towform {
 /// beyond the run, its elements there ("guests", whose yarns alone are of interest). Forces are
 /// summed by block (BlockSlots).
 struct ElementBlocks {
-  static constexpr int own_most = 512; ///< elements of a block
-  static constexpr int capacity = 1024; ///< places of a block, for own elements and guests
+  static constexpr int own_most = 900; ///< elements of a block
+  static constexpr int capacity = 1152; ///< places of a block, for own elements and guests
   static constexpr int stride = capacity + 24; ///< from warp to weft: arrays that far apart do not share a cache's sets
 
   /// Numbers of what belongs to a block in the arrays below.
@@ -37,9 +37,10 @@ struct ElementBlocks {
   BlockSlots slots;                  ///< of nodes, for forces
 
   ElementBlocks() = default;
-  /// Strips must be in the order of their first entries; those of a block are then sorted by length. Throws
-  /// std::length_error when a single element's strips have more elements than a block has places.
-  ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, YarnStrips& strips);
+  /// Blocks end where `tiles` do (first elements, ascending), and within them where they must. Strips must be in the order of
+  /// their first entries; those of a block are then sorted by length. Throws std::length_error when a single element's strips
+  /// have more elements than a block has places.
+  ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, std::span<const int> tiles, YarnStrips& strips);
 
   /// Corners of a block's places, three each.
   [[nodiscard]] const std::uint16_t* corners(const Block& b) const

@@ -1,6 +1,5 @@
 #include "element/membrane_lanes.hpp"
 #include "parallel/vector_clones.hpp"
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -94,23 +93,28 @@ void take_those_left(int count, const TableLanes& t, MembraneBatch& b)
   for (int i = 0; i < count; ++i) b.rate[t.index[i]] = t.rate[i];
 }
 
-/// Moves the unsettled ones to the front; returns how many. Who is settled cannot be guessed, and a wrong guess takes longer than to
-/// write down every number.
+/// Which are unsettled, a bit each.
+TOWFORM_VECTOR_CLONES
+std::uint64_t unsettled(int count, const TableLanes& t)
+{
+  static_assert(TableLanes::size <= 64);
+  std::uint64_t bits = 0;
+  for (int i = 0; i < count; ++i) bits |= static_cast<std::uint64_t>(t.unsettled[i]) << i;
+  return bits;
+}
+
+/// Moves the unsettled ones to the front; returns how many.
 int keep_unsettled(int count, TableLanes& t)
 {
-  std::array<std::int32_t, TableLanes::size> those;
   int left = 0;
-  for (int i = 0; i < count; ++i) {
-    those[left] = i;
-    left += static_cast<int>(t.unsettled[i]);
-  }
-  for (int k = 0; k < left; ++k) {
-    const int i = those[k];
-    t.weight[k] = t.weight[i];
-    t.trial[k] = t.trial[i];
-    t.rate[k] = t.rate[i];
-    t.row[k] = t.row[i];
-    t.index[k] = t.index[i];
+  for (std::uint64_t bits = unsettled(count, t); bits != 0; bits &= bits - 1) {
+    const int i = std::countr_zero(bits);
+    t.weight[left] = t.weight[i];
+    t.trial[left] = t.trial[i];
+    t.rate[left] = t.rate[i];
+    t.row[left] = t.row[i];
+    t.index[left] = t.index[i];
+    ++left;
   }
   return left;
 }

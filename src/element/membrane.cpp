@@ -44,7 +44,7 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
   const bool own =
       yarn_strain == YarnStrain::triangle || (yarn_strain == YarnStrain::automatic && follows_yarns(blank));
   strips = own ? strips_of_one(area) : lay_strips(blank, area);
-  blocks = ElementBlocks(triangles, node_area.size(), strips);
+  blocks = ElementBlocks(triangles, node_area.size(), blank.tiles, strips);
   fill_places(gradients);
 }
 

@@ -247,6 +247,23 @@ inline void put(const Columns& c, double* x, double* y, double* z)
   std::memcpy(z, &c.z, sizeof c.z);
 }
 
+/// Four vectors whose numbers lie side by side.
+struct Rows {
+  Vec4 a, b, c, d;
+};
+inline Rows rows(const double* its_x, const double* its_y, const double* its_z)
+{
+  Vec4 x, y, z;
+  std::memcpy(&x, its_x, sizeof x);
+  std::memcpy(&y, its_y, sizeof y);
+  std::memcpy(&z, its_z, sizeof z);
+  const Vec4 none{};
+  const Vec4 xy_ac = __builtin_shufflevector(x, y, 0, 4, 2, 6), xy_bd = __builtin_shufflevector(x, y, 1, 5, 3, 7);
+  const Vec4 z_ac = __builtin_shufflevector(z, none, 0, 4, 2, 6), z_bd = __builtin_shufflevector(z, none, 1, 5, 3, 7);
+  return {__builtin_shufflevector(xy_ac, z_ac, 0, 1, 4, 5), __builtin_shufflevector(xy_bd, z_bd, 0, 1, 4, 5),
+          __builtin_shufflevector(xy_ac, z_ac, 2, 3, 6, 7), __builtin_shufflevector(xy_bd, z_bd, 2, 3, 6, 7)};
+}
+
 /// Edges from corner 0.
 struct Edges {
   Vec4 d1, d2;
@@ -255,6 +272,14 @@ inline Edges edges(const Padded* position, const std::uint16_t* corner)
 {
   const Vec4 x0 = position[corner[0]].v;
   return {position[corner[1]].v - x0, position[corner[2]].v - x0};
+}
+
+/// An element's forces on its corners 1 and 2; what is left is on corner 0.
+inline void add(const Vec4& force_1, const Vec4& force_2, const std::uint16_t* corner, Padded* force)
+{
+  force[corner[0]].v -= force_1 + force_2;
+  force[corner[1]].v += force_1;
+  force[corner[2]].v += force_2;
 }
 
 } // namespace
@@ -283,12 +308,16 @@ void gather_edges(const Padded* position, const std::uint16_t* corner, int count
 TOWFORM_VECTOR_CLONES
 void add_forces(const MembraneBatch& __restrict b, const std::uint16_t* corner, int count, Padded* __restrict force)
 {
-  for (int i = 0; i < count; ++i, corner += 3) {
-    const Vec4 force_1{b.p1x[i], b.p1y[i], b.p1z[i], 0.0}, force_2{b.p2x[i], b.p2y[i], b.p2z[i], 0.0};
-    force[corner[0]].v -= force_1 + force_2;
-    force[corner[1]].v += force_1;
-    force[corner[2]].v += force_2;
+  int i = 0;
+  for (; i + 4 <= count; i += 4, corner += 12) {
+    const Rows on_1 = rows(b.p1x + i, b.p1y + i, b.p1z + i), on_2 = rows(b.p2x + i, b.p2y + i, b.p2z + i);
+    add(on_1.a, on_2.a, corner, force);
+    add(on_1.b, on_2.b, corner + 3, force);
+    add(on_1.c, on_2.c, corner + 6, force);
+    add(on_1.d, on_2.d, corner + 9, force);
   }
+  for (; i < count; ++i, corner += 3)
+    add(Vec4{b.p1x[i], b.p1y[i], b.p1z[i], 0.0}, Vec4{b.p2x[i], b.p2y[i], b.p2z[i], 0.0}, corner, force);
 }
 
 } // namespace towform

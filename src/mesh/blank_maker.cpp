@@ -140,7 +140,7 @@ Blank make_blank(const BlankParameters& parameters)
   validate(parameters);
   Blank blank;
   blank.mesh = parameters.mesh.empty() ? rectangle_mesh(parameters) : imported_mesh(parameters);
-  renumber(blank.mesh);
+  blank.tiles = renumber(blank.mesh);
   const YarnDirections yarns = yarn_directions(parameters);
   blank.warp = yarns.warp;
   blank.weft = yarns.weft;
