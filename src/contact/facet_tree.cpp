@@ -15,10 +15,24 @@ constexpr int stack_size = 128; // a walk never holds more entries than the tree
 /// How far x lies outside low .. high.
 inline double outside(double x, double low, double high) { return std::max(std::max(low - x, x - high), 0.0); }
 
-inline double distance_squared(const Box& box, const Vec3& p)
+/// A box in single precision, no smaller than the true one: half the cache.
+struct RoundedBox {
+  std::array<float, 3> low, high;
+
+  RoundedBox() = default;
+  RoundedBox(const fcl::Vector3d& its_low, const fcl::Vector3d& its_high)
+  {
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::nextafter(static_cast<float>(its_low[k]), -HUGE_VALF);
+      high[k] = std::nextafter(static_cast<float>(its_high[k]), HUGE_VALF);
+    }
+  }
+};
+
+inline double distance_squared(const RoundedBox& box, const Vec3& p)
 {
-  const double dx = outside(p.x, box.low.x, box.high.x), dy = outside(p.y, box.low.y, box.high.y),
-               dz = outside(p.z, box.low.z, box.high.z);
+  const double dx = outside(p.x, box.low[0], box.high[0]), dy = outside(p.y, box.low[1], box.high[1]),
+               dz = outside(p.z, box.low[2], box.high[2]);
   return dx * dx + dy * dy + dz * dz;
 }
 
@@ -28,10 +42,10 @@ inline Box grown(const Box& box, double distance)
   return {box.low - by, box.high + by};
 }
 
-inline bool overlap(const Box& a, const Box& b)
+inline bool overlap(const RoundedBox& a, const Box& b)
 {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
+  return a.low[0] <= b.high.x && b.low.x <= a.high[0] && a.low[1] <= b.high.y && b.low.y <= a.high[1] &&
+         a.low[2] <= b.high.z && b.low.z <= a.high[2];
 }
 
 } // namespace
@@ -39,7 +53,7 @@ inline bool overlap(const Box& a, const Box& b)
 /// FCL's tree flattened: our traversal touches nothing else of it.
 struct FacetTree::Boxes {
   struct Node {
-    Box box;
+    RoundedBox box;
     int left = -1; ///< right is left + 1; a leaf has facet >= 0
     int facet = -1;
   };
@@ -67,8 +81,7 @@ FacetTree::FacetTree(const SurfaceMesh& mesh)
   boxes->nodes.resize(static_cast<std::size_t>(model.getNumBVs()));
   for (int i = 0; i < model.getNumBVs(); ++i) {
     const auto& from = model.getBV(i);
-    const auto corner = [](const fcl::Vector3d& v) { return Vec3{v.x(), v.y(), v.z()}; };
-    boxes->nodes[i] = {{corner(from.bv.min_), corner(from.bv.max_)}, from.isLeaf() ? -1 : from.leftChild(),
+    boxes->nodes[i] = {{from.bv.min_, from.bv.max_}, from.isLeaf() ? -1 : from.leftChild(),
                        from.isLeaf() ? from.primitiveId() : -1};
   }
   boxes_ = std::move(boxes);
@@ -173,18 +186,18 @@ void FacetTree::find(const Wanted& wanted, std::vector<int>& found) const
 void FacetTree::find_in_box_round(std::span<const Vec3> points, double distance, std::vector<int>& found) const
 {
   const Box round = grown(box_of(points), distance);
-  find([&](const Box& box) { return overlap(box, round); }, found);
+  find([&](const RoundedBox& box) { return overlap(box, round); }, found);
 }
 
 void FacetTree::find_in_front(const Facet& facet, std::span<const Vec3> points, double distance, std::vector<int>& found) const
 {
   const Box round = grown(box_of(points), distance);
   const Vec3& n = facet.normal;
-  const auto highest = [&](const Box& box) {
-    return (n.x > 0.0 ? box.high.x : box.low.x) * n.x + (n.y > 0.0 ? box.high.y : box.low.y) * n.y +
-           (n.z > 0.0 ? box.high.z : box.low.z) * n.z - facet.offset;
+  const auto highest = [&](const RoundedBox& box) {
+    return (n.x > 0.0 ? box.high[0] : box.low[0]) * n.x + (n.y > 0.0 ? box.high[1] : box.low[1]) * n.y +
+           (n.z > 0.0 ? box.high[2] : box.low[2]) * n.z - facet.offset;
   };
-  find([&](const Box& box) { return overlap(box, round) && highest(box) > 0.0; }, found);
+  find([&](const RoundedBox& box) { return overlap(box, round) && highest(box) > 0.0; }, found);
 }
 
 } // namespace towform
