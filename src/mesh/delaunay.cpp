@@ -1,5 +1,5 @@
 #include "mesh/delaunay.hpp"
-#include "mesh/renumber.hpp"
+#include "mesh/point_order.hpp"
 #include <algorithm>
 #include <bit>
 #include <cstdint>
