@@ -28,6 +28,7 @@ void start(const Contact&, std::size_t nodes, ContactState& c)
   p.reach_squared.assign(nodes, -1.0F);
   p.reach_squared.resize(padded, HUGE_VALF); // padding never wakes
   p.found.assign(nodes, {});
+  p.quiet_until.assign((nodes + NodeLanes::size - 1) / NodeLanes::size, 0.0);
   p.near.assign(groups, 0);
   p.touching.assign(groups, 1); // a state that is read may hold forces
 }
@@ -182,7 +183,12 @@ public:
   NodeBlock(State& s, std::span<const double> mass, int first_node)
       : first(first_node), count(std::min(block_size, static_cast<int>(s.position.size()) - first)), s_(s), mass_(mass)
   {
-    split(s.position.data() + first, count, lanes.x, lanes.y, lanes.z);
+  }
+  void bring_places()
+  {
+    if (placed_) return;
+    placed_ = true;
+    split(s_.position.data() + first, count, lanes.x, lanes.y, lanes.z);
     fill_up({lanes.x, lanes.y, lanes.z});
   }
   /// Velocities and masses, and forces that begin at nothing.
@@ -211,7 +217,7 @@ private:
       for (double* lane : arrays) lane[i] = 0.0;
   }
 
-  bool moving_ = false;
+  bool placed_ = false, moving_ = false;
   State& s_;
   std::span<const double> mass_;
 };
@@ -221,6 +227,10 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
 {
   NodeLanes& nodes = block.lanes;
   const int first = block.first, count = block.count;
+  ContactPlanes& planes = m.state.planes;
+  double& quiet_until = planes.quiet_until[first / block_size];
+  if (planes.way < quiet_until) return {};
+  block.bring_places();
   const ContactLanes lanes = lanes_from(m.state, first);
   const auto search_for = [&](int i) {
     search(m, Vec3{nodes.x[i], nodes.y[i], nodes.z[i]} - m.law.shift, first + i);
@@ -235,7 +245,10 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
     groups[awake] = static_cast<std::uint8_t>(g);
     awake += lanes.near[g] | lanes.touching[g];
   }
-  if (awake == 0) return {};
+  if (awake == 0) {
+    quiet_until = planes.way + least_room(nodes, lanes, m.law.shift, count);
+    return {};
+  }
   GapLanes gaps;
   Touching touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
   // A plane tells nothing of a node that has come behind it.
@@ -302,7 +315,7 @@ std::optional<double> distance_from_plane(const ContactPlanes& planes, std::size
 }
 
 void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
-                    std::span<ContactState> states, std::span<const double> mass, State& s, double dt)
+                    std::span<ContactState> states, std::span<const double> mass, State& s, double dt, double moved)
 {
   if (contacts.empty()) return;
   const int nodes = static_cast<int>(s.position.size());
@@ -312,6 +325,9 @@ void contact_forces(std::span<const Contact> contacts, std::span<const Tool> too
     const Contact& contact = contacts[i];
     const Tool& tool = tools[contact.tool];
     const ToolState& t = tool_states[contact.tool];
+    ContactPlanes& planes = states[i].planes;
+    planes.way += moved + std::abs(t.displacement - planes.shift);
+    planes.shift = t.displacement;
     meetings.push_back({contact, tool, states[i],
                         {t.displacement * tool.direction, t.velocity * tool.direction, tool.direction, contact.half_thickness,
                          contact.stiffness_per_mass, contact.damping_per_mass,

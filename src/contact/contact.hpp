@@ -47,6 +47,9 @@ struct ContactPlanes {
   std::vector<float> anchor_x, anchor_y, anchor_z;          ///< n, in the tool's frame [m]
   std::vector<float> reach_squared;                         ///< n [m^2]; negative: to be searched for
   std::vector<FoundLast> found;                             ///< n
+  std::vector<double> quiet_until;    ///< per block, the way at which one of its nodes may come near the tool [m]; 0 where one is
+  double way = 0.0;                   ///< how far a node may have moved against the tool since the start [m]
+  double shift = 0.0;                 ///< of the tool, when that was last added to [m]
   std::vector<std::uint8_t> near;     ///< per group, whether one of them has a plane
   std::vector<std::uint8_t> touching; ///< per group, whether one of them touches the tool
 };
@@ -70,8 +73,9 @@ void start(const Contact& contact, std::size_t nodes, ContactState& c);
 /// Signed distance from the tool of a node at p [tool's frame] [m], where the plane that the last search found still tells it.
 [[nodiscard]] std::optional<double> distance_from_plane(const ContactPlanes& planes, std::size_t node, const Vec3& p);
 
-/// Adds the contact forces at x_n to s.force and sets the tools' reactions. `mass` of each node [kg].
+/// Adds the contact forces at x_n to s.force and sets the tools' reactions. `mass` of each node [kg]; `moved` bounds how far a
+/// node has moved since the forces were last computed [m].
 void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
-                    std::span<ContactState> states, std::span<const double> mass, State& s, double dt);
+                    std::span<ContactState> states, std::span<const double> mass, State& s, double dt, double moved);
 
 } // namespace towform

@@ -2,6 +2,7 @@
 #include "parallel/vector_clones.hpp"
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace towform {
@@ -55,6 +56,28 @@ int look(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shift, int c
     marked += out;
   }
   return marked;
+}
+
+TOWFORM_VECTOR_CLONES
+double least_room(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shift, int count)
+{
+  const float* __restrict anchor_x = c.anchor_x;
+  const float* __restrict anchor_y = c.anchor_y;
+  const float* __restrict anchor_z = c.anchor_z;
+  const float* __restrict reach_squared = c.reach_squared;
+  const double shift_x = shift.x, shift_y = shift.y, shift_z = shift.z;
+  std::int32_t least = std::bit_cast<std::int32_t>(HUGE_VALF); // the bits of numbers that are not negative stand in their order
+  for (int i = 0; i < count; ++i) {
+    const float dx = static_cast<float>(nodes.x[i] - shift_x) - anchor_x[i],
+                dy = static_cast<float>(nodes.y[i] - shift_y) - anchor_y[i],
+                dz = static_cast<float>(nodes.z[i] - shift_z) - anchor_z[i];
+    const float reach = std::sqrt(reach_squared[i] > 0.0F ? reach_squared[i] : 0.0F);
+    const float room = reach - std::sqrt(dx * dx + dy * dy + dz * dz);
+    const auto bits = std::bit_cast<std::int32_t>(room > 0.0F ? room : 0.0F);
+    least = bits < least ? bits : least;
+  }
+  constexpr double rounding = 1e-5; // [m] of single precision, for places up to 10 m from the origin
+  return static_cast<double>(std::bit_cast<float>(least)) * (1.0 - 1e-6) - rounding;
 }
 
 namespace {

@@ -51,6 +51,9 @@ constexpr double no_plane = -1e9; // [m]
 /// will do: reaches are told shorter by as much.
 int look(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shift, int count, std::int32_t* marks);
 
+/// How far each of a block's nodes may move at least before one is out of its plane's reach, or ball's [m].
+double least_room(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shift, int count);
+
 /// Gaps of a block's nodes, where a group of them was measured, and how many of the group touch.
 struct GapLanes {
   alignas(64) NodeLanes::Lanes gap; ///< [m]

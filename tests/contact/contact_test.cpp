@@ -1,5 +1,6 @@
 #include "contact/one_contact.hpp"
 #include "contact/shapes.hpp"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -180,6 +181,43 @@ TEST(Contact, TheSearchMemoryNeverChangesTheForces)
   }
   EXPECT_GT(touching, 5000);
   EXPECT_LT(touching, 15000);
+}
+
+TEST(Contact, NodesThatWereAwayAreFoundAgainWhenTheyOrTheToolHaveComeNear)
+{
+  // Six nodes that fall on a ball from different heights and rise again, the ball beating time: once with what they moved known,
+  // once looking at all of them at every step.
+  Tool tool{"ball", ToolSurface(test::sphere(0.05, 16)), 0.0, {}, {}, {0, 0, 1}, 0.0};
+  const Contact contact(tool, 0, half, 0.1, 0.0, dt);
+  constexpr int nodes = 6, steps = 20000;
+  const auto height = [](int n, int i) { return 0.051 + 0.004 * n + (0.006 + 0.004 * n) * std::cos(2e-4 * (1 + n) * i); };
+  ToolState tool_state;
+  ContactState known, unknown;
+  start(contact, nodes, known);
+  start(contact, nodes, unknown);
+  State s;
+  s.velocity.assign(nodes, {});
+  s.position.assign(nodes, {});
+  int touching = 0, away = 0;
+  for (int i = 0; i < steps; ++i) {
+    double moved = 0.0;
+    for (int n = 0; n < nodes; ++n) {
+      const Vec3 to{1e-3 * n, 0.0, height(n, i)};
+      moved = std::max(moved, norm(to - s.position[n]));
+      s.position[n] = to;
+    }
+    tool_state.displacement = 8e-3 * std::sin(0.01 * i);
+    s.force.assign(nodes, {});
+    test::contact_forces(contact, tool, tool_state, known, mass, s, dt, moved);
+    const std::vector<Vec3> force = s.force;
+    s.force.assign(nodes, {});
+    test::contact_forces(contact, tool, tool_state, unknown, mass, s, dt);
+    ASSERT_EQ(force, s.force) << "step " << i;
+    touching += std::any_of(force.begin(), force.end(), [](const Vec3& f) { return norm(f) > 0.0; });
+    away += known.planes.way < known.planes.quiet_until[0];
+  }
+  EXPECT_GT(touching, 1000);
+  EXPECT_GT(away, 500); // nobody was looked at
 }
 
 TEST(Tool, AForcedToolAcceleratesAndItsWorkIsAccounted)
