@@ -222,6 +222,20 @@ private:
   std::span<const double> mass_;
 };
 
+/// Of some groups' nodes [m].
+double least_gap(const GapLanes& gaps, const std::uint8_t* groups, int count)
+{
+  double least = HUGE_VAL;
+  for (int k = 0; k < count; ++k) {
+    const double* const first = gaps.gap + groups[k] * NodeLanes::group;
+    least = std::min(least, *std::min_element(first, first + NodeLanes::group));
+  }
+  return least;
+}
+
+/// For how many steps a block is to be left alone at least.
+constexpr double worth_a_rest = 10.0;
+
 /// A tool against a block of nodes: search, gap, force, friction.
 ContactSums meet(const Meeting& m, NodeBlock& block)
 {
@@ -245,10 +259,6 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
     groups[awake] = static_cast<std::uint8_t>(g);
     awake += lanes.near[g] | lanes.touching[g];
   }
-  if (awake == 0) {
-    quiet_until = planes.way + least_room(nodes, lanes, m.law.shift, count);
-    return {};
-  }
   GapLanes gaps;
   Touching touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
   // A plane tells nothing of a node that has come behind it.
@@ -258,7 +268,10 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
         if (gaps.gap[i] < -m.law.half_thickness && out[i] == 0) search_for(i);
     touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
   }
-  if (touching.all > 0) block.bring_motion();
+  if (touching.all > 0)
+    block.bring_motion();
+  else if (const double gap = least_gap(gaps, groups.data(), awake); gap > worth_a_rest * planes.moved)
+    quiet_until = planes.way + std::min(gap, least_room(nodes, lanes, m.law.shift, count));
   return push(nodes, lanes, m.law, groups.data(), awake, gaps);
 }
 
@@ -326,7 +339,8 @@ void contact_forces(std::span<const Contact> contacts, std::span<const Tool> too
     const Tool& tool = tools[contact.tool];
     const ToolState& t = tool_states[contact.tool];
     ContactPlanes& planes = states[i].planes;
-    planes.way += moved + std::abs(t.displacement - planes.shift);
+    planes.moved = moved + std::abs(t.displacement - planes.shift);
+    planes.way += planes.moved;
     planes.shift = t.displacement;
     meetings.push_back({contact, tool, states[i],
                         {t.displacement * tool.direction, t.velocity * tool.direction, tool.direction, contact.half_thickness,

@@ -49,6 +49,7 @@ struct ContactPlanes {
   std::vector<FoundLast> found;                             ///< n
   std::vector<double> quiet_until;    ///< per block, the way at which one of its nodes may come near the tool [m]; 0 where one is
   double way = 0.0;                   ///< how far a node may have moved against the tool since the start [m]
+  double moved = 0.0;                 ///< of that in the last step [m]
   double shift = 0.0;                 ///< of the tool, when that was last added to [m]
   std::vector<std::uint8_t> near;     ///< per group, whether one of them has a plane
   std::vector<std::uint8_t> touching; ///< per group, whether one of them touches the tool
