@@ -58,7 +58,6 @@ struct Membrane {
   std::vector<Triangle> triangles; ///< m
   std::vector<double> area;        ///< m, reference [m^2]
   std::vector<double> node_area;   ///< n, a third of the elements round a node [m^2]
-  ElementsOfNode elements;
   YarnStrips strips;
   ElementBlocks blocks;
   double reference_sine = 0.0; ///< f01 . f02

@@ -77,7 +77,7 @@ void StepBound::each_node(std::size_t strip, const Work& work) const
 
 StepBound::StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus,
                      std::span<const Bending> bending)
-    : membrane_(membrane), element_mass_(element_mass.begin(), element_mass.end()),
+    : membrane_(membrane), element_mass_(element_mass),
       shear_modulus_(shear_modulus)
 {
   share_masses();
@@ -162,11 +162,8 @@ StepBound::Frequencies StepBound::frequencies(const State& s) const
   std::vector<double> steepest(membrane_.node_area.size(),
                                std::abs(membrane_.reference_sine)); // |sine| round a node
   if (!s.sine.empty()) // else the flat sheet
-    parallel_ranges(static_cast<std::ptrdiff_t>(steepest.size()), [&](auto begin, auto end) {
-      for (auto n = begin; n < end; ++n)
-        for (const int e : membrane_.elements.of(static_cast<std::size_t>(n)))
-          steepest[n] = std::max(steepest[n], std::abs(s.sine[e]));
-    });
+    for (std::size_t e = 0; e < s.sine.size(); ++e)
+      for (const int n : membrane_.triangles[e]) steepest[n] = std::max(steepest[n], std::abs(s.sine[e]));
   parallel_ranges(static_cast<std::ptrdiff_t>(f.strip.size()), [&](auto begin, auto end) {
     for (auto i = begin; i < end; ++i) {
       double sine = 0.0;
@@ -187,7 +184,12 @@ StableStep StepBound::at(const State& s) const
   };
   int limiting = static_cast<int>(place(f.element));
   if (strip > element) limiting = membrane_.strips.entries_of(place(f.strip)).front() / 2;
-  if (bending > std::max(strip, element)) limiting = membrane_.elements.of(place(bending_)).front();
+  if (bending > std::max(strip, element)) {
+    const std::vector<Triangle>& all = membrane_.triangles;
+    const auto node = static_cast<int>(place(bending_));
+    const auto holds_node = [node](const Triangle& t) { return std::find(t.begin(), t.end(), node) != t.end(); };
+    limiting = static_cast<int>(std::find_if(all.begin(), all.end(), holds_node) - all.begin());
+  }
   return {step_of(strip + element, bending), limiting};
 }
 

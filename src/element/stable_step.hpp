@@ -22,7 +22,7 @@ struct StableStep {
 /// sheet turns is of the order of curvature times element, and left out.
 class StepBound {
 public:
-  /// `element_mass` [kg]; `shear_modulus` bounds dN/dtheta [N/m]. The membrane must outlive the bound.
+  /// `element_mass` [kg]; `shear_modulus` bounds dN/dtheta [N/m]. Membrane and masses must outlive the bound.
   StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus,
             std::span<const Bending> bending = {});
 
@@ -46,7 +46,7 @@ private:
   [[nodiscard]] double step_of(double in_plane, double of_bending) const;
 
   const Membrane& membrane_;
-  std::vector<double> element_mass_;
+  std::span<const double> element_mass_;
   double shear_modulus_;
   std::vector<double> strip_frequency_; // omega^2 of a strip of square yarns [1/s^2]
   std::vector<double> bending_;         ///< n, omega^2 [1/s^2]; empty without bending

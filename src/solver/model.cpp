@@ -241,7 +241,10 @@ Model build_model(const Case& c)
       model.bending.push_back(std::move(*bending));
   if (!issues.empty()) throw InputError(std::move(issues));
   if (c.load.gravity != Vec3{}) model.gravity.push_back(make_gravity(c, model.membrane));
-  if (!c.load.pressure.empty()) model.pressure.push_back({c.load.pressure});
+  if (!c.load.pressure.empty()) {
+    const SurfaceMesh& mesh = model.blank.mesh;
+    model.pressure.push_back({c.load.pressure, ElementsOfNode(mesh.triangles, mesh.points.size())});
+  }
   model.tools = std::move(tools);
   model.boundaries = std::move(boundaries);
   model.temperature = c.material.temperature;

@@ -23,7 +23,7 @@ void pressure_forces(const Pressure& pressure, const Membrane& membrane, Pressur
   parallel_ranges(static_cast<std::ptrdiff_t>(work.size()), [&](auto begin, auto end) {
     for (auto n = begin; n < end; ++n) {
       Vec3 area; // twice that of the triangles round the node
-      for (const int e : membrane.elements.of(static_cast<std::size_t>(n))) {
+      for (const int e : pressure.elements.of(static_cast<std::size_t>(n))) {
         const auto& [a, b, c] = membrane.triangles[e];
         area += cross(s.position[b] - s.position[a], s.position[c] - s.position[a]);
       }

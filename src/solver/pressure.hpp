@@ -11,6 +11,7 @@ namespace towform {
 /// stiffness, of the order of p times an edge, is far below the yarns' and left out of the stable step.
 struct Pressure {
   std::vector<PressurePoint> table; ///< ascending in time; held before the first and after the last point
+  ElementsOfNode elements;
 
   [[nodiscard]] double at(double time) const; ///< [Pa]
 };
