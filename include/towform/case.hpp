@@ -46,7 +46,7 @@ struct BoundaryParameters {
 
 struct TimeParameters {
   double end = 0.0;           ///< [s]
-  double safety = 0.9;        ///< step over the stable step
+  double safety = 0.85;       ///< step over the stable step
   double mass_scaling = 1.0;  ///< uniform factor on the sheet's mass
   std::optional<double> step; ///< wanted step [s]: only elements that need it are made heavier
   double mass_damping = 0.0;  ///< force -a m v on every node [1/s]

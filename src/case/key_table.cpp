@@ -163,7 +163,7 @@ std::vector<Row> all_rows()
     {"load.pressure", AT(c.load.pressure), D::pressure, optional, "", "on the face of the sheet that looks along +z at the start, square to the sheet wherever it goes: one value or [[time, pressure], …], straight lines between the points; explicit solver only"},
 
     {"time.end", AT(c.time.end), D::time, required, "> 0", "of the run"},
-    {"time.safety", AT(c.time.safety), D::none, "0.9", "> 0, <= 1", "step over the stable step"},
+    {"time.safety", AT(c.time.safety), D::none, "0.85", "> 0, <= 1", "step over the stable step"},
     {"time.mass_scaling", AT(c.time.mass_scaling), D::none, "1", "1 .. 1000000", "uniform factor on the sheet's mass"},
     {"time.step", AT(c.time.step), D::time, optional, "> 0", "wanted step: elements that need it are made heavier"},
     {"time.mass_damping", AT(c.time.mass_damping), D::frequency, "0", ">= 0", "force on a node over its mass and velocity"},

@@ -50,7 +50,7 @@ TEST_F(ReadCase, DefaultsOfWhatIsNotGiven)
   EXPECT_EQ(c.material.curve_rate_max, 20.0);
   EXPECT_EQ(c.material.curve_count, 20);
   EXPECT_EQ(c.material.elastic_rate, 10.0);
-  EXPECT_EQ(c.time.safety, 0.9);
+  EXPECT_EQ(c.time.safety, 0.85);
   EXPECT_EQ(c.time.mass_scaling, 1.0);
   EXPECT_FALSE(c.time.step);
   EXPECT_EQ(c.time.mass_damping, 0.0);
