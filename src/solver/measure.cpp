@@ -1,5 +1,6 @@
 #include "solver/measure.hpp"
 #include "parallel/parallel.hpp"
+#include "solver/percentile.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,13 +21,6 @@ std::vector<std::array<int, 2>> free_edges(const Blank& blank)
   return edges;
 }
 } // namespace
-
-double percentile_99(std::vector<double> values)
-{
-  const std::size_t rank = (values.size() * 99) / 100;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(rank), values.end());
-  return values[rank];
-}
 
 DrawInGauge::DrawInGauge(const Blank& blank)
 {
@@ -68,40 +62,39 @@ FieldExtremes field_extremes(const Membrane& membrane, const System& s)
 {
   const std::vector<int>& strip = membrane.strips.of;
   const std::size_t elements = s.sheet.shear_angle.size();
-  std::vector<double> shear(elements), strain(elements), compression(elements);
-  parallel_ranges(static_cast<std::ptrdiff_t>(elements), [&](auto begin, auto end) {
-    for (auto e = begin; e < end; ++e) {
-      shear[e] = std::abs(s.sheet.shear_angle[e]);
-      const double warp = s.sheet.strip_strain[strip[2 * e]], weft = s.sheet.strip_strain[strip[2 * e + 1]];
-      strain[e] = std::max(std::abs(warp), std::abs(weft));
-      compression[e] = std::max({0.0, -warp, -weft});
-    }
-  });
+  const auto warp = [&](std::size_t e) { return s.sheet.strip_strain[strip[2 * e]]; };
+  const auto weft = [&](std::size_t e) { return s.sheet.strip_strain[strip[2 * e + 1]]; };
+  const auto shear = [&](std::size_t e) { return std::abs(s.sheet.shear_angle[e]); };
+  const auto strain = [&](std::size_t e) { return std::max(std::abs(warp(e)), std::abs(weft(e))); };
+  const auto compression = [&](std::size_t e) { return std::max({0.0, -warp(e), -weft(e)}); };
+  const auto place_of_largest = [elements](const auto& value) {
+    std::size_t place = 0;
+    for (std::size_t e = 1; e < elements; ++e)
+      if (value(e) > value(place)) place = e;
+    return static_cast<int>(place);
+  };
+  const auto fraction_over = [elements](double limit, const auto& value) {
+    std::size_t over = 0;
+    for (std::size_t e = 0; e < elements; ++e) over += value(e) > limit ? 1 : 0;
+    return static_cast<double>(over) / static_cast<double>(elements);
+  };
   FieldExtremes x;
-  const auto place_of_largest = [](const std::vector<double>& v) {
-    return static_cast<int>(std::max_element(v.begin(), v.end()) - v.begin());
-  };
-  const auto fraction_over = [&](const std::vector<double>& values, double limit) {
-    return static_cast<double>(
-               std::count_if(values.begin(), values.end(), [limit](double v) { return v > limit; })) /
-           static_cast<double>(elements);
-  };
   const std::array<std::function<void()>, 3> of_fields{
       [&] {
         x.most_sheared = place_of_largest(shear);
-        x.shear_max = shear[x.most_sheared];
-        x.shear_p99 = percentile_99(std::move(shear));
+        x.shear_max = shear(static_cast<std::size_t>(x.most_sheared));
+        x.shear_p99 = percentile_99(elements, shear);
       },
       [&] {
         x.most_strained = place_of_largest(strain);
-        x.strain_max = strain[x.most_strained];
-        x.strain_over_2_percent = fraction_over(strain, 0.02);
-        x.strain_p99 = percentile_99(std::move(strain));
+        x.strain_max = strain(static_cast<std::size_t>(x.most_strained));
+        x.strain_over_2_percent = fraction_over(0.02, strain);
+        x.strain_p99 = percentile_99(elements, strain);
       },
       [&] {
-        x.compression_max = *std::max_element(compression.begin(), compression.end());
-        x.compression_over_half_percent = fraction_over(compression, 0.005);
-        x.compression_p99 = percentile_99(std::move(compression));
+        x.compression_max = compression(static_cast<std::size_t>(place_of_largest(compression)));
+        x.compression_over_half_percent = fraction_over(0.005, compression);
+        x.compression_p99 = percentile_99(elements, compression);
       }};
   parallel_each(static_cast<int>(of_fields.size()), [&](int i) { of_fields[i](); });
   return x;

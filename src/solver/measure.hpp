@@ -8,9 +8,6 @@ namespace towform {
 
 inline constexpr double to_degrees = 180.0 / std::numbers::pi;
 
-/// The value below which 99 % lie.
-double percentile_99(std::vector<double> values);
-
 /// How far the blank's outline has moved towards its middle in plan, means over the modelled sides [m]. The
 /// middle is that of the flat blank's bounding box (0 across a mirror plane). Six kinds of points of the
 /// outline are followed, wherever the outline is met last by a ray from the middle:

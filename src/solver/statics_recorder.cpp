@@ -1,5 +1,6 @@
 #include "solver/statics_recorder.hpp"
 #include "solver/measure.hpp"
+#include "solver/percentile.hpp"
 #include "solver/run_files.hpp"
 #include "towform/error.hpp"
 #include <algorithm>

@@ -2,13 +2,44 @@
 #include "solver/bare_sheet.hpp"
 #include "solver/frame_fields.hpp"
 #include "solver/measure.hpp"
+#include "solver/percentile.hpp"
 #include "solver/press_case.hpp"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace towform {
 namespace {
+
+TEST(Percentile, IsThatOfTheSortedValuesWhateverTheirOrder)
+{
+  std::mt19937 random(11);
+  std::exponential_distribution<double> skewed(1.0);
+  for (const std::size_t count : {1, 2, 15, 99, 100, 101, 1000, 20000}) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < count; ++i) values.push_back(skewed(random));
+    std::vector<double> sorted = values;
+    std::sort(sorted.begin(), sorted.end());
+    const double wanted = sorted[(count * 99) / 100];
+    EXPECT_EQ(percentile_99(values), wanted) << count;
+    EXPECT_EQ(percentile_99(sorted), wanted) << count;
+    std::reverse(sorted.begin(), sorted.end());
+    EXPECT_EQ(percentile_99(sorted), wanted) << count;
+  }
+}
+
+TEST(Percentile, OfValuesThatRepeatOrThatASampleMisses)
+{
+  EXPECT_EQ(percentile_99(std::vector<double>(5000, 3.0)), 3.0);
+  std::vector<double> few(5000, 0.0); // the highest are all where the sample looks, and nowhere else
+  for (std::size_t i = 0; i < 5000; i += 16) few[i] = 1.0 + double(i);
+  std::vector<double> sorted = few;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(percentile_99(few), sorted[4950]);
+  for (std::size_t i = 0; i < 5000; ++i) few[i] = i % 16 == 0 && i < 640 ? 1.0 : 0.0; // fewer than one in a hundred
+  EXPECT_EQ(percentile_99(few), 0.0);
+}
 
 TEST(FieldExtremes, CountCompressionApartFromTension)
 {
