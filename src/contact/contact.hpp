@@ -47,7 +47,7 @@ struct ContactPlanes {
   std::vector<float> anchor_x, anchor_y, anchor_z;          ///< n, in the tool's frame [m]
   std::vector<float> reach_squared;                         ///< n [m^2]; negative: to be searched for
   std::vector<FoundLast> found;                             ///< n
-  std::vector<double> quiet_until;    ///< per block, the way at which one of its nodes may come near the tool [m]; 0 where one is
+  std::vector<double> quiet_until;    ///< per block, the way at which one of its nodes may have come near the tool [m]
   double way = 0.0;                   ///< how far a node may have moved against the tool since the start [m]
   double moved = 0.0;                 ///< of that in the last step [m]
   double shift = 0.0;                 ///< of the tool, when that was last added to [m]
