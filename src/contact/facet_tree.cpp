@@ -15,43 +15,40 @@ constexpr int stack_size = 128; // a walk never holds more entries than the tree
 /// How far x lies outside low .. high.
 inline double outside(double x, double low, double high) { return std::max(std::max(low - x, x - high), 0.0); }
 
-/// A box in single precision, no smaller than the true one: half the cache.
-struct RoundedBox {
-  std::array<float, 3> low, high;
-
-  RoundedBox() = default;
-  RoundedBox(const fcl::Vector3d& its_low, const fcl::Vector3d& its_high)
-  {
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::nextafter(static_cast<float>(its_low[k]), -HUGE_VALF);
-      high[k] = std::nextafter(static_cast<float>(its_high[k]), HUGE_VALF);
-    }
-  }
-};
-
-inline double distance_squared(const RoundedBox& box, const Vec3& p)
-{
-  const double dx = outside(p.x, box.low[0], box.high[0]), dy = outside(p.y, box.low[1], box.high[1]),
-               dz = outside(p.z, box.low[2], box.high[2]);
-  return dx * dx + dy * dy + dz * dz;
-}
-
 inline Box grown(const Box& box, double distance)
 {
   const Vec3 by{distance, distance, distance};
   return {box.low - by, box.high + by};
 }
 
-inline bool overlap(const RoundedBox& a, const Box& b)
-{
-  return a.low[0] <= b.high.x && b.low.x <= a.high[0] && a.low[1] <= b.high.y && b.low.y <= a.high[1] &&
-         a.low[2] <= b.high.z && b.low.z <= a.high[2];
-}
-
 } // namespace
 
 /// FCL's tree flattened: our traversal touches nothing else of it.
 struct FacetTree::Boxes {
+  /// A box in single precision, no smaller than the true one: half the cache.
+  struct RoundedBox {
+    std::array<float, 3> low, high;
+
+    RoundedBox() = default;
+    RoundedBox(const fcl::Vector3d& its_low, const fcl::Vector3d& its_high)
+    {
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::nextafter(static_cast<float>(its_low[k]), -HUGE_VALF);
+        high[k] = std::nextafter(static_cast<float>(its_high[k]), HUGE_VALF);
+      }
+    }
+
+    [[nodiscard]] double distance_squared(const Vec3& p) const
+    {
+      const double dx = outside(p.x, low[0], high[0]), dy = outside(p.y, low[1], high[1]), dz = outside(p.z, low[2], high[2]);
+      return dx * dx + dy * dy + dz * dz;
+    }
+    [[nodiscard]] bool overlaps(const Box& other) const
+    {
+      return low[0] <= other.high.x && other.low.x <= high[0] && low[1] <= other.high.y && other.low.y <= high[1] &&
+             low[2] <= other.high.z && other.low.z <= high[2];
+    }
+  };
   struct Node {
     RoundedBox box;
     int left = -1; ///< right is left + 1; a leaf has facet >= 0
@@ -116,7 +113,7 @@ void FacetTree::walk(const Vec3& p, const Limit& limit, const Visit& visit) cons
   };
   std::array<Entry, stack_size> stack;
   int top = 0;
-  stack[top++] = {0, distance_squared(boxes_->nodes[0].box, p)};
+  stack[top++] = {0, boxes_->nodes[0].box.distance_squared(p)};
   while (top > 0) {
     const Entry entry = stack[--top];
     if (entry.distance_squared > limit()) continue;
@@ -125,8 +122,8 @@ void FacetTree::walk(const Vec3& p, const Limit& limit, const Visit& visit) cons
       visit(node.facet, nearest_on_facet(facets_[node.facet], p).distance_squared);
       continue;
     }
-    Entry near{node.left, distance_squared(boxes_->nodes[node.left].box, p)};
-    Entry far{node.left + 1, distance_squared(boxes_->nodes[node.left + 1].box, p)};
+    Entry near{node.left, boxes_->nodes[node.left].box.distance_squared(p)};
+    Entry far{node.left + 1, boxes_->nodes[node.left + 1].box.distance_squared(p)};
     if (far.distance_squared < near.distance_squared) std::swap(near, far);
     stack[top++] = far;
     stack[top++] = near;
@@ -186,18 +183,18 @@ void FacetTree::find(const Wanted& wanted, std::vector<int>& found) const
 void FacetTree::find_in_box_round(std::span<const Vec3> points, double distance, std::vector<int>& found) const
 {
   const Box round = grown(box_of(points), distance);
-  find([&](const RoundedBox& box) { return overlap(box, round); }, found);
+  find([&](const Boxes::RoundedBox& box) { return box.overlaps(round); }, found);
 }
 
 void FacetTree::find_in_front(const Facet& facet, std::span<const Vec3> points, double distance, std::vector<int>& found) const
 {
   const Box round = grown(box_of(points), distance);
   const Vec3& n = facet.normal;
-  const auto highest = [&](const RoundedBox& box) {
+  const auto highest = [&](const Boxes::RoundedBox& box) {
     return (n.x > 0.0 ? box.high[0] : box.low[0]) * n.x + (n.y > 0.0 ? box.high[1] : box.low[1]) * n.y +
            (n.z > 0.0 ? box.high[2] : box.low[2]) * n.z - facet.offset;
   };
-  find([&](const RoundedBox& box) { return overlap(box, round) && highest(box) > 0.0; }, found);
+  find([&](const Boxes::RoundedBox& box) { return box.overlaps(round) && highest(box) > 0.0; }, found);
 }
 
 } // namespace towform
