@@ -142,7 +142,7 @@ TEST_F(Gate, CollapsedElement)
   const std::string message =
       stop({"tool.ball.position=[0, 0, 0.01]", "tool.ball.motion.displacement=-0.001",
             "tool.left.motion.axis=x", "tool.left.motion.displacement=0.03", "tool.right.motion.axis=x",
-            "tool.right.motion.displacement=-0.03", "time.end=0.4 ms", "blank.elements=8",
+            "tool.right.motion.displacement=-0.03", "time.end=0.3 ms", "blank.elements=8",
             "material.compression_factor=0", "material.relaxation_ratio=1", "gates.penetration=1",
             "gates.yarn_strain=100", "gates.energy_error=1e9", "gates.kinetic_to_internal=1e9",
             "output.history=500"},
