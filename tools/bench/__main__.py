@@ -26,8 +26,7 @@ Memory is 0.5 kB an element of a fine mesh, beside some 60 MB for the program an
 
 **Error.** The aim is 1 degree RMS in 2 s: the double dome takes 0.5 s, the hemisphere 0.6 s (below). At the real speed of the press four times
 the mass halves the time and moves angles by less than the mesh does (RMS); ten times the mass, `towform run --fast`, is the better way to save
-time than a coarser mesh. Both change forces. Defaults are the case's own mass and speed. These tables were made with steps of 0.9 of the
-stable one; at the default of 0.85 runs are 5 % longer.
+time than a coarser mesh. Both change forces. Defaults are the case's own mass and speed.
 """
 PARTS = {"kernels": kernels, "whole": whole, "runs": sizes, "features": features, "busy": busy}
 
