@@ -24,8 +24,7 @@ ElementsOfNode::ElementsOfNode(std::span<const Triangle> triangles, std::size_t 
 
 Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law, YarnStrain yarn_strain)
     : triangles(blank.mesh.triangles), node_area(blank.mesh.points.size(), 0.0),
-      reference_sine(dot(blank.warp, blank.weft)),
-      thickness(blank.thickness), yarn(yarn_law), law(std::move(fabric_law))
+      reference_sine(dot(blank.warp, blank.weft)), thickness(blank.thickness), yarn(yarn_law), law(std::move(fabric_law))
 {
   std::vector<YarnGradients> gradients;
   gradients.reserve(triangles.size());

@@ -77,8 +77,7 @@ void StepBound::each_node(std::size_t strip, const Work& work) const
 
 StepBound::StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus,
                      std::span<const Bending> bending)
-    : membrane_(membrane), element_mass_(element_mass),
-      shear_modulus_(shear_modulus)
+    : membrane_(membrane), element_mass_(element_mass), shear_modulus_(shear_modulus)
 {
   share_masses();
   if (bending.empty()) return;

@@ -6,8 +6,8 @@
 
 namespace towform {
 
-/// The value below which 99 % lie, of value(0) .. value(count - 1), one at least. Asks for each value twice or three times and keeps
-/// few of them: those above what a sample tells.
+/// The value below which 99 % lie, of value(0) .. value(count - 1), one at least. Keeps few of them,
+/// those above what a sample tells, and may ask for each value three times.
 template <class Value>
 double percentile_99(std::size_t count, const Value& value)
 {
