@@ -49,6 +49,31 @@ SurfaceMesh gap()
   return mesh;
 }
 
+/// A level floor under curtains that end above it: planes of facets are nearer than these are.
+SurfaceMesh curtains()
+{
+  SurfaceMesh mesh;
+  constexpr int n = 8;
+  constexpr double pitch = 4e-3;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) mesh.points.push_back({pitch * i, pitch * j, 0.0});
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = c - 1;
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+    }
+  for (int i = 0; i < n; ++i) {
+    const int a = static_cast<int>(mesh.points.size());
+    const double x = pitch * (i + 0.5);
+    for (const double z : {1e-3, 4e-3})
+      for (const double y : {0.0, pitch * n}) mesh.points.push_back({x, y, z});
+    mesh.triangles.push_back({a, a + 1, a + 3});
+    mesh.triangles.push_back({a, a + 3, a + 2});
+  }
+  return mesh;
+}
+
 class Wander {
 public:
   explicit Wander(unsigned seed) : generator_(seed) {}
@@ -98,7 +123,7 @@ TEST(FacetNeighbours, FindWhatAFullSearchFindsFromAnyFacetNearby)
 
 TEST(FacetNeighbours, ThePlaneHoldsAsFarAsItsReach)
 {
-  for (const SurfaceMesh& mesh : {tray(), test::sphere(0.03, 24), gap()}) {
+  for (const SurfaceMesh& mesh : {tray(), test::sphere(0.03, 24), gap(), curtains()}) {
     const ToolSurface surface(mesh);
     const FacetNeighbours neighbours(surface, 2e-3);
     Wander wander(11);
