@@ -6,14 +6,14 @@
 
 namespace towform {
 
-/// The shear-force surface N_s(theta, rate) on a grid, bilinear between its points: what the solver
+/// The shear-force surface N_s(theta, rate) on a grid, bilinear between points that lie off the surface by half of what straight lines miss of it: what the solver
 /// evaluates. Angles are evenly spaced from 0 to max_angle; rates divide every octave evenly, so that a
 /// rate's cell is read off its bits. Below the lowest rate the sheet is Newtonian (N_s proportional to rate);
 /// above the highest rate and angle the last cell goes on. Forces are kept in single precision: half the cache, 6e-8 off. N_s(theta, 0) = 0, N_s(-theta, .) = N_s(theta, .).
 class ShearTable {
 public:
   static constexpr int angle_cells = 340;
-  static constexpr int octave_cells = 8;
+  static constexpr int octave_bits = 2, octave_cells = 1 << octave_bits; // finer cells would be left more often
   static constexpr int lowest_exponent = -7; // 1/128 rad/s
   static constexpr int octaves = 20;         // up to 8192 rad/s
 
@@ -124,14 +124,13 @@ private:
   /// 1/(width of a cell): octaves are powers of two.
   static double over_width(std::int64_t cell)
   {
-    const std::int64_t octave = ((cell + 7) >> 3) - 1;
-    const double within = std::bit_cast<double>(((1023LL + 3 - lowest_exponent) - octave) << 52);
+    const std::int64_t octave = ((cell + octave_cells - 1) >> octave_bits) - 1;
+    const double within = std::bit_cast<double>(((1023LL + octave_bits - lowest_exponent) - octave) << 52);
     constexpr double lowest = static_cast<double>(1 << -lowest_exponent);
     return cell == 0 ? lowest : within;
   }
 
-  static constexpr int shift = 52 - 3; // leaves the exponent and the first three bits of the mantissa
-  static_assert(octave_cells == 1 << 3);
+  static constexpr int shift = 52 - octave_bits; // leaves the exponent and the first bits of the mantissa
   static constexpr std::int64_t lowest_bits = static_cast<std::int64_t>(1023 + lowest_exponent) << 52;
 
   double cells_per_radian_;

@@ -37,7 +37,7 @@ TEST(ShearTable, FollowsTheModelBetweenItsPoints)
     for (double rate = 0.0101; rate < 5000.0; rate *= 1.137)
       worst =
           std::max(worst, std::abs(material.surface->force(theta, rate) / model().force(theta, rate) - 1.0));
-  // Linear interpolation over 1/8 octave of a power law (n = 0.35 .. 1) and 0.25 degrees of 1/cos^3.
+  // Straight lines over 1/4 octave of a power law (n = 0.35 .. 1) and 0.25 degrees of 1/cos^3.
   EXPECT_LT(worst, 2e-3);
   EXPECT_EQ(material.surface->force(0.5, 0.0), 0.0);
   EXPECT_EQ(material.surface->force(-0.5, 3.0), material.surface->force(0.5, 3.0));
