@@ -65,13 +65,17 @@ struct LoadParameters {
 };
 
 struct ContactParameters {
-  double penalty = 0.2; ///< beta of the penalty stiffness beta m / dt^2
-  double damping = 0.0; ///< fraction of critical, normal to the tool
-  double stick = 1.0;   ///< tangential stick stiffness over the penalty stiffness
+  double penalty = 0.3;    ///< beta of the penalty stiffness beta m / dt^2
+  double soft = 1.0;       ///< stiffness at first touch over that
+  double soft_depth = 0.0; ///< how deep it is, over the sheet's thickness
+  double damping = 0.0;    ///< fraction of critical, normal to the tool
+  double stick = 1.0;      ///< stiffness and damping along a tool over those normal to it
 
-  /// The part of a step that the sheet may take when two tools' springs and dashpots, with velocities half a
-  /// step old, act on its nodes too, squared: (omega dt)^2 + 2 beta + 8 zeta sqrt(beta) <= 4.
-  [[nodiscard]] double room() const { return 1.0 - 0.5 * penalty - 2.0 * damping * std::sqrt(penalty); }
+  /// What the springs and dashpots of two tools, with velocities half a step old, add normal to them to a node's stiffness, over
+  /// node mass / step^2.
+  [[nodiscard]] double two_tools() const { return 2.0 * penalty + 8.0 * damping * std::sqrt(penalty); }
+  /// The part of a step that the sheet may take beside that, squared: (omega dt)^2 + two_tools <= 4.
+  [[nodiscard]] double room() const { return 1.0 - 0.25 * two_tools(); }
 };
 
 /// Limits that stop a run when passed.

@@ -163,15 +163,17 @@ std::vector<Row> all_rows()
     {"load.pressure", AT(c.load.pressure), D::pressure, optional, "", "on the face of the sheet that looks along +z at the start, square to the sheet wherever it goes: one value or [[time, pressure], …], straight lines between the points; explicit solver only"},
 
     {"time.end", AT(c.time.end), D::time, required, "> 0", "of the run"},
-    {"time.safety", AT(c.time.safety), D::none, "0.85", "> 0, <= 1", "step over the stable step"},
+    {"time.safety", AT(c.time.safety), D::none, "0.97", "> 0, <= 1", "step over the stable step"},
     {"time.mass_scaling", AT(c.time.mass_scaling), D::none, "1", "1 .. 1000000", "uniform factor on the sheet's mass"},
     {"time.step", AT(c.time.step), D::time, optional, "> 0", "wanted step: elements that need it are made heavier"},
     {"time.mass_damping", AT(c.time.mass_damping), D::frequency, "0", ">= 0", "force on a node over its mass and velocity"},
     {"time.subcycling", AT(c.time.subcycling), D::none, "true", "", "bending, slow beside the yarns' waves, is computed every few steps and held between, eight at most"},
 
-    {"contact.penalty", AT(c.contact.penalty), D::none, "0.2", "> 0, <= 0.5", "stiffness of contact over node mass / step^2"},
+    {"contact.penalty", AT(c.contact.penalty), D::none, "0.3", "> 0, <= 0.5", "stiffness of contact over node mass / step^2"},
+    {"contact.soft", AT(c.contact.soft), D::none, "0.1", "> 0, <= 1", "stiffness at first touch over that of penalty; 1 for a linear spring"},
+    {"contact.soft_depth", AT(c.contact.soft_depth), D::none, "0.02", "0 .. 0.1", "how deep contact is soft, over the sheet's thickness"},
     {"contact.damping", AT(c.contact.damping), D::none, "0.1", "0 .. 1", "normal to the tool, fraction of critical"},
-    {"contact.stick", AT(c.contact.stick), D::none, "1", "> 0, <= 1", "tangential stiffness over the normal one"},
+    {"contact.stick", AT(c.contact.stick), D::none, "0.1", "> 0, <= 1", "stiffness and damping along the tool over those normal to it"},
 
     {"gates.energy_error", AT(c.gates.energy_error), D::none, "0.02", "> 0", "largest error of the energy balance over the external work"},
     {"gates.kinetic_to_internal", AT(c.gates.kinetic_to_internal), D::none, "5", "> 0", "largest kinetic over internal energy in the second half of the run"},

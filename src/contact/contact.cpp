@@ -254,10 +254,11 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
     for (int i = 0; i < count; ++i)
       if (out[i] != 0) search_for(i);
   std::array<std::uint8_t, groups_a_block> groups;
-  int awake = 0;
+  int awake = 0, touched = 0;
   for (int g = 0; g * NodeLanes::group < count; ++g) {
     groups[awake] = static_cast<std::uint8_t>(g);
     awake += lanes.near[g] | lanes.touching[g];
+    touched += lanes.touching[g];
   }
   GapLanes gaps;
   Touching touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
@@ -268,7 +269,7 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
         if (gaps.gap[i] < -m.law.half_thickness && out[i] == 0) search_for(i);
     touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
   }
-  if (touching.all > 0)
+  if (touching.all > 0 || touched > 0)
     block.bring_motion();
   else if (const double gap = least_gap(gaps, groups.data(), awake); gap > worth_a_rest * planes.moved)
     quiet_until = planes.way + std::min(gap, least_room(nodes, lanes, m.law.shift, count));
@@ -344,7 +345,7 @@ void contact_forces(std::span<const Contact> contacts, std::span<const Tool> too
     planes.shift = t.displacement;
     meetings.push_back({contact, tool, states[i],
                         {t.displacement * tool.direction, t.velocity * tool.direction, tool.direction, contact.half_thickness,
-                         contact.stiffness_per_mass, contact.damping_per_mass,
+                         contact.stiffness_per_mass, contact.soft, contact.soft_depth, contact.damping_per_mass,
                          contact.stick_ratio, tool.friction, dt}});
   }
   std::vector<ContactSums> sums(contacts.size() * static_cast<std::size_t>(blocks));

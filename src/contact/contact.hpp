@@ -11,15 +11,18 @@
 namespace towform {
 
 /// Node-to-surface penalty contact of the sheet with one tool (physics: contact). A node touches when the
-/// tool is nearer than half the sheet's thickness, on either face. Normal force k g + damping, never pulling;
+/// tool is nearer than half the sheet's thickness, on either face. Normal force of a spring and damping, never pulling: the
+/// spring has the part `soft` of its stiffness k down to a small depth, so that nodes that graze a tool do not bounce off it;
 /// Coulomb friction through a tangential spring k_t with return mapping, so that a resting sheet does not
 /// creep. Stiffness and damping are in proportion to a node's mass m: k = beta m / dt^2, c = 2 zeta sqrt(k m).
 struct Contact {
   int tool = 0;
   double half_thickness = 0.0;     ///< [m]
   double stiffness_per_mass = 0.0; ///< beta / dt^2 [1/s^2]
-  double damping_per_mass = 0.0;   ///< of the normal motion and while sticking [1/s]
-  double stick_ratio = 1.0;        ///< k_t / k
+  double soft = 1.0;               ///< stiffness at first touch over k; 1: a linear spring
+  double soft_depth = 0.0;         ///< [m]
+  double damping_per_mass = 0.0;   ///< of the normal motion [1/s]
+  double stick_ratio = 1.0;        ///< stiffness and, while sticking, damping along the tool over those normal to it
   std::unique_ptr<const FacetNeighbours> neighbours;
 
   Contact() = default;

@@ -131,6 +131,13 @@ struct PushLanes {
   alignas(64) Lanes slips; ///< 1 where the spring alone passes the cone, else 0
 };
 
+/// Depth of a linear spring of the full stiffness that presses as much.
+inline double compressed(const ContactLaw& l, double depth)
+{
+  const double soft = l.soft * depth, stiff = depth - (1.0 - l.soft) * l.soft_depth;
+  return soft > stiff ? soft : stiff;
+}
+
 /// Normal force, and the tangential one as if the node stuck.
 TOWFORM_VECTOR_CLONES
 void press_groups(const NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
@@ -152,7 +159,7 @@ void press_groups(const NodeLanes& __restrict nodes, const ContactLanes& c, cons
       const double vx = nodes.vx[i] - l.velocity.x, vy = nodes.vy[i] - l.velocity.y, vz = nodes.vz[i] - l.velocity.z;
       const double stiffness = l.stiffness_per_mass * nodes.mass[i], damping = l.damping_per_mass * nodes.mass[i];
       const double opening = vx * nx + vy * ny + vz * nz;
-      const double wanted = -stiffness * gaps.gap[i] - damping * opening;
+      const double wanted = stiffness * compressed(l, -gaps.gap[i]) - damping * opening;
       const double pressed = wanted > 0.0 ? wanted : 0.0;
       const double tx = l.dt * (vx - opening * nx), ty = l.dt * (vy - opening * ny), tz = l.dt * (vz - opening * nz);
       const double lift = stick_x[i] * nx + stick_y[i] * ny + stick_z[i] * nz;
@@ -161,7 +168,7 @@ void press_groups(const NodeLanes& __restrict nodes, const ContactLanes& c, cons
       const double spring = l.stick_ratio * stiffness, limit = l.friction * pressed;
       const double stretch_squared = rx * rx + ry * ry + rz * rz;
       const bool slips = spring * spring * stretch_squared > limit * limit;
-      const double dashpot = slips ? 0.0 : l.damping_per_mass / l.dt * nodes.mass[i];
+      const double dashpot = slips ? 0.0 : l.stick_ratio * l.damping_per_mass / l.dt * nodes.mass[i];
       const double hx = spring * rx + dashpot * tx, hy = spring * ry + dashpot * ty, hz = spring * rz + dashpot * tz;
       p.rx[i] = rx;
       p.ry[i] = ry;
@@ -202,6 +209,7 @@ void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Contac
     for (int k = 0; k < group; ++k) {
       const int i = first + k;
       const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i], gap = gaps.gap[i], pressed = p.pressed[i];
+      const double was_pressed = normal_force[i];
       const double stiffness = l.stiffness_per_mass * nodes.mass[i], spring = l.stick_ratio * stiffness;
       const double limit = l.friction * pressed, size_squared = p.size_squared[i];
       const bool slips = p.slips[i] > 0.0, cut = size_squared > limit * limit;
@@ -226,9 +234,13 @@ void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Contac
       s.fx[k] += fx;
       s.fy[k] += fy;
       s.fz[k] += fz;
-      const double stored = 0.5 * stiffness * gap * gap + 0.5 * spring * (sx * sx + sy * sy + sz * sz);
+      const double linear = compressed(l, -gap), at_joint = l.soft * l.soft_depth;
+      const double squared = linear * linear + (linear < at_joint ? linear : at_joint) * (-gap - linear);
+      const double stored = 0.5 * stiffness * squared + 0.5 * spring * (sx * sx + sy * sy + sz * sz);
       s.elastic[k] += on ? stored : 0.0;
-      s.damped[k] += on ? (-stiffness * gap - pressed) * p.opening[i] * l.dt : 0.0;
+      const double was = compressed(l, p.opening[i] * l.dt - gap), was_linear = was > 0.0 ? was : 0.0; // a step ago
+      const double of_damping = (on ? stiffness * linear - pressed : 0.0) + (stiffness * was_linear - was_pressed);
+      s.damped[k] += 0.5 * of_damping * p.opening[i] * l.dt;
       s.rubbed[k] += on ? (slips ? by_slip : by_dashpot) : 0.0;
       const double along = nx * l.direction.x + ny * l.direction.y + nz * l.direction.z;
       s.stiffness[k] += on ? stiffness * along * along : 0.0;
@@ -239,17 +251,16 @@ void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Contac
   sums = s;
 }
 
-/// Of some groups those that touch; the others lose what they held.
+/// Of some groups those that touch, or did a step ago.
 int those_that_touch(const ContactLanes& c, const std::uint8_t* groups, int count, const GapLanes& gaps, std::uint8_t* touching)
 {
   int touch = 0;
   for (int number = 0; number < count; ++number) {
-    const int g = groups[number], first = g * group;
+    const int g = groups[number];
+    const std::uint8_t now = gaps.touch[g] != 0 ? 1 : 0;
     touching[touch] = groups[number];
-    touch += gaps.touch[g] != 0 ? 1 : 0;
-    if (gaps.touch[g] == 0 && c.touching[g] != 0)
-      for (int i = first; i < first + group; ++i) c.stick_x[i] = c.stick_y[i] = c.stick_z[i] = c.normal_force[i] = 0.0;
-    c.touching[g] = gaps.touch[g] != 0 ? 1 : 0;
+    touch += now | c.touching[g];
+    c.touching[g] = now;
   }
   return touch;
 }

@@ -33,7 +33,7 @@ struct ContactLanes {
 /// What a tool does to all nodes of a block alike.
 struct ContactLaw {
   Vec3 shift, velocity, direction; ///< of the tool
-  double half_thickness, stiffness_per_mass, damping_per_mass, stick_ratio, friction, dt;
+  double half_thickness, stiffness_per_mass, soft, soft_depth, damping_per_mass, stick_ratio, friction, dt;
 };
 
 /// Sums over a block: the force on the sheet, energies of the step.
@@ -67,7 +67,7 @@ struct Touching {
 Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
             GapLanes& gaps);
 
-/// Normal force k g + damping, never pulling; Coulomb friction by stick-slip return mapping: a step's
+/// Normal force of a spring, softer at first touch (Contact), and damping, never pulling; Coulomb friction by stick-slip return mapping: a step's
 /// tangential movement stretches the spring k_t = `stick_ratio` k and lets it slip back to the cone of
 /// `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force. `groups` of the block
 /// that may touch the tool or did so before, `count` of them.

@@ -26,29 +26,46 @@ void scale(std::span<Vec3> v, double by)
   for (Vec3& x : v) x *= by;
 }
 
-/// The same signs every time.
-std::vector<Vec3> random_signs(std::size_t nodes)
+/// The same signs every time, those of mirror images alike: what a quarter of a blank is told is told of the whole.
+std::vector<Vec3> random_signs(std::span<const Vec3> points)
 {
-  std::uint64_t bits = 0x9e3779b97f4a7c15ULL;
-  const auto sign = [&] {
-    bits ^= bits << 13; // xorshift (Marsaglia 2003)
-    bits ^= bits >> 7;
-    bits ^= bits << 17;
-    return bits >> 63 == 0 ? 1.0 : -1.0;
-  };
-  std::vector<Vec3> v(nodes);
-  for (Vec3& x : v) {
+  constexpr double tick = 1e-7; // [m], on which images fall together
+  const auto ticks = [](double x) { return static_cast<std::uint64_t>(std::llround(std::abs(x) / tick)); };
+  const auto side = [](double x) { return x > tick ? 1.0 : x < -tick ? -1.0 : 0.0; };
+  std::vector<Vec3> v;
+  v.reserve(points.size());
+  for (const Vec3& p : points) {
+    std::uint64_t bits = (ticks(p.x) << 32 | ticks(p.y)) + 1;
+    const auto sign = [&] {
+      bits += 0x9e3779b97f4a7c15ULL; // splitmix64 (Steele, Lea and Flood 2014)
+      std::uint64_t mixed = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
+      mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebULL;
+      return (mixed ^ (mixed >> 31)) >> 63 == 0 ? 1.0 : -1.0;
+    };
     const double a = sign(), b = sign(), c = sign();
-    x = {a, b, c};
+    v.push_back({a * side(p.x), b * side(p.y), c});
   }
   return v;
+}
+
+/// Of the sheet at its nodes.
+std::vector<Vec3> node_normals(std::span<const Triangle> triangles, std::span<const Vec3> position)
+{
+  std::vector<Vec3> normals(position.size());
+  for (const auto& [a, b, c] : triangles) {
+    const Vec3 twice_area = cross(position[b] - position[a], position[c] - position[a]);
+    for (const int n : {a, b, c}) normals[n] += twice_area;
+  }
+  for (Vec3& n : normals)
+    if (const double size = norm(n); size > 0.0) n *= 1.0 / size;
+  return normals;
 }
 
 } // namespace
 
 StepLimit::StepLimit(const Blank& blank, const Membrane& membrane, std::span<const double> mass, double shear_modulus,
-                     std::span<const Bending> bending)
-    : blank_(blank), membrane_(membrane), bending_(bending), shear_modulus_(shear_modulus)
+                     std::span<const Bending> bending, NodeSprings springs)
+    : blank_(blank), membrane_(membrane), bending_(bending), shear_modulus_(shear_modulus), springs_(springs)
 {
   for (const double m : mass) over_root_mass_.push_back(1.0 / std::sqrt(m));
   for (const Bending& b : bending) bending_damping_time_ = std::max(bending_damping_time_, b.damping_time);
@@ -60,10 +77,13 @@ void StepLimit::hold_on_mirrors(std::span<Vec3> v) const
   for (const int n : blank_.mirror_y) v[n].y = 0.0;
 }
 
-double StepLimit::largest_frequency_squared(const LinearSheet& sheet) const
+double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<const Vec3> normals, double dt) const
 {
+  const double along = springs_.along / (dt * dt), more = (springs_.normal - springs_.along) / (dt * dt);
   const std::size_t nodes = over_root_mass_.size();
-  std::vector<Vec3> now = random_signs(nodes), before(nodes), motion(nodes);
+  std::vector<Vec3> now = random_signs(blank_.mesh.points); // displacements
+  for (std::size_t n = 0; n < nodes; ++n) now[n] *= 1.0 / over_root_mass_[n];
+  std::vector<Vec3> before(nodes), motion(nodes);
   hold_on_mirrors(now);
   scale(now, 1.0 / std::sqrt(product(now, now)));
   std::vector<double> diagonal, beside;
@@ -73,8 +93,9 @@ double StepLimit::largest_frequency_squared(const LinearSheet& sheet) const
     for (std::size_t n = 0; n < nodes; ++n) motion[n] = over_root_mass_[n] * now[n];
     linear_forces(sheet, motion, work);
     std::vector<Vec3>& next = work.force;
+    for (std::size_t n = 0; n < nodes; ++n)
+      next[n] = along * now[n] + more * dot(normals[n], now[n]) * normals[n] - over_root_mass_[n] * next[n];
     hold_on_mirrors(next);
-    for (std::size_t n = 0; n < nodes; ++n) next[n] *= -over_root_mass_[n];
     diagonal.push_back(product(now, next));
     const double back = beside.empty() ? 0.0 : beside.back();
     for (std::size_t n = 0; n < nodes; ++n) next[n] -= diagonal.back() * now[n] + back * before[n];
@@ -98,13 +119,14 @@ double StepLimit::largest_frequency_squared(const LinearSheet& sheet) const
 double StepLimit::at(std::span<const Vec3> position, double near) const
 {
   LinearSheet sheet{membrane_, bending_, shear_modulus_, position};
+  const std::vector<Vec3> normals = node_normals(membrane_.triangles, position);
   double limit = near;
-  constexpr int rounds = 2; // damping changes little with the step
+  constexpr int rounds = 2; // damping and springs change little with the step
   for (int round = 0; round < rounds; ++round) {
     sheet.yarn_factor = 1.0 + 2.0 * membrane_.damping_time / limit;
     sheet.bending_factor = 1.0 + 2.0 * bending_damping_time_ / limit;
-    limit = 2.0 / std::sqrt(largest_frequency_squared(sheet));
-    if (membrane_.damping_time == 0.0 && bending_damping_time_ == 0.0) break;
+    limit = 2.0 / std::sqrt(largest_frequency_squared(sheet, normals, limit));
+    if (membrane_.damping_time == 0.0 && bending_damping_time_ == 0.0 && springs_.normal == 0.0) break;
   }
   return limit;
 }

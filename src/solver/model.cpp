@@ -1,7 +1,6 @@
 #include "solver/model.hpp"
 #include "element/held_bending.hpp"
 #include "element/stable_step.hpp"
-#include "element/step_limit.hpp"
 #include "parallel/parallel.hpp"
 #include "solver/placement.hpp"
 #include "solver/step.hpp"
@@ -120,24 +119,30 @@ void set_inertia(const Case& c, Model& model)
   const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
   for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
   model.mass = lumped(membrane, model.element_mass, sheet.position.size());
-  model.step_factor =
-      std::min(c.time.safety * std::sqrt(1.0 - 0.5 * c.contact.penalty), std::sqrt(c.contact.room()));
+  model.safety = c.time.safety;
+  if (!model.tools.empty()) {
+    model.tool_springs = {c.contact.two_tools(), c.contact.stick * c.contact.two_tools()};
+    model.contact_room = c.contact.room();
+  }
   set_damping(c.material, sheet.position, model);
-  scale_masses(c.time.step.value_or(0.0) / model.step_factor, sheet, model);
+  scale_masses(c.time.step.value_or(0.0) / model.safety, sheet, model);
   model.added_mass_fraction = std::max( // not less than none in the last digit
       0.0, std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0);
   double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
   for (std::size_t e = 0; e < membrane.area.size(); ++e)
     lightest = std::min(lightest, model.element_mass[e] / membrane.area[e]);
   model.wave_speed = std::sqrt(membrane.yarn.stiffness / lightest);
-  model.first_step = model.step_factor * model.first_look.step;
+  model.first_step = model.safety * model.first_look.step;
   if (c.time.subcycling)
     for (Bending& bending : model.bending) bending.interval = bending_interval(bending, model);
 
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
     model.contacts.emplace_back(model.tools[i], static_cast<int>(i), 0.5 * c.blank.thickness, c.contact.penalty,
                                 c.contact.damping, model.first_step);
-    model.contacts.back().stick_ratio = c.contact.stick;
+    Contact& contact = model.contacts.back();
+    contact.stick_ratio = c.contact.stick;
+    contact.soft = c.contact.soft;
+    contact.soft_depth = c.contact.soft_depth * c.blank.thickness;
   }
 }
 
@@ -208,9 +213,11 @@ double mirror_factor(Symmetry symmetry)
 StepLook look_at_step(const Model& model, const StepBound& bound, const State& s)
 {
   const StableStep guaranteed = bound.at(s);
-  const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending);
-  const double measured = limit.at(s.position, guaranteed.step);
-  return {measured > guaranteed.step ? measured : guaranteed.step, guaranteed.step};
+  const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
+  const double lightest = *std::min_element(model.element_mass.begin(), model.element_mass.end());
+  const double near = std::sqrt(2.0 * lightest / model.membrane.yarn.stiffness); // a wave's way over an element, and its mirror image
+  const double sure = std::sqrt(model.contact_room) * guaranteed.step, measured = limit.at(s.position, near);
+  return {measured > sure ? measured : sure, guaranteed.step};
 }
 
 Model build_model(const Case& c)

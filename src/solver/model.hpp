@@ -3,6 +3,7 @@
 #include "element/bending.hpp"
 #include "element/membrane.hpp"
 #include "element/stable_step.hpp"
+#include "element/step_limit.hpp"
 #include "solver/boundary.hpp"
 #include "solver/gravity.hpp"
 #include "solver/pressure.hpp"
@@ -12,7 +13,7 @@
 
 namespace towform {
 
-/// The sheet's stable step at some time, as measured (StepLimit), beside the guaranteed one (StepBound) [s].
+/// The stable step at some time, as measured with contact (StepLimit), beside the guaranteed one of the sheet alone (StepBound) [s].
 struct StepLook {
   double step = 0.0, bound = 0.0;
   [[nodiscard]] double over_bound() const { return step / bound; }
@@ -32,7 +33,9 @@ struct Model {
   double wave_speed = 0.0;          ///< fastest of the yarns' waves [m/s]
   double mass_damping = 0.0;        ///< [1/s]
   double shear_modulus = 0.0;       ///< bound of dN/dtheta, for the stable step [N/m]
-  double step_factor = 1.0;         ///< step over the sheet's stable step: safety, and room for contact
+  double safety = 1.0;              ///< step over the stable step
+  NodeSprings tool_springs;         ///< of the two tools that may touch a node
+  double contact_room = 1.0;        ///< the part of the sheet's guaranteed step that leaves room for them, squared
   StepLook first_look;              ///< of the flat sheet
   double first_step = 0.0;          ///< [s]; later steps are never longer
   double temperature = 0.0;         ///< of the sheet [K]

@@ -28,7 +28,7 @@ double present_step(const Model& model, const StepBound& bound, const System& s,
   const StableStep stable = bound.at(s.sheet);
   element = stable.element;
   if (!(std::abs(stable.step - last.bound) < moved * last.bound)) last = look_at_step(model, bound, s.sheet);
-  const double step = std::min(model.first_step, model.step_factor * last.over_bound() * stable.step);
+  const double step = std::min(model.first_step, model.safety * last.over_bound() * stable.step);
   constexpr double collapse = 0.05;
   if (!(step > collapse * model.first_step))
     throw RunStopped(

@@ -50,13 +50,15 @@ TEST_F(ReadCase, DefaultsOfWhatIsNotGiven)
   EXPECT_EQ(c.material.curve_rate_max, 20.0);
   EXPECT_EQ(c.material.curve_count, 20);
   EXPECT_EQ(c.material.elastic_rate, 10.0);
-  EXPECT_EQ(c.time.safety, 0.85);
+  EXPECT_EQ(c.time.safety, 0.97);
   EXPECT_EQ(c.time.mass_scaling, 1.0);
   EXPECT_FALSE(c.time.step);
   EXPECT_EQ(c.time.mass_damping, 0.0);
-  EXPECT_EQ(c.contact.penalty, 0.2);
+  EXPECT_EQ(c.contact.penalty, 0.3);
+  EXPECT_EQ(c.contact.soft, 0.1);
+  EXPECT_EQ(c.contact.soft_depth, 0.02);
   EXPECT_EQ(c.contact.damping, 0.1);
-  EXPECT_EQ(c.contact.stick, 1.0);
+  EXPECT_EQ(c.contact.stick, 0.1);
   EXPECT_EQ(c.gates.energy_error, 0.02);
   EXPECT_EQ(c.gates.kinetic_to_internal, 5.0);
   EXPECT_EQ(c.gates.penetration, 0.0002);

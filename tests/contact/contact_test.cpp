@@ -67,6 +67,59 @@ TEST(Contact, ABounceGivesItsEnergyBack)
               0.04 * start); // the step in which contact closes is not resolved further
 }
 
+TEST(Contact, IsSoftAtFirstTouch)
+{
+  constexpr double soft = 0.1, depth = 1e-5;
+  for (const double share : {0.5, 1.0, 3.0, 20.0}) { // of the force at which it is soft no longer
+    Block block(ground(), 0.0, 0.3, {0.1, 0.2, half});
+    block.contact.soft = soft;
+    block.contact.soft_depth = depth;
+    const double force = share * soft * depth * block.stiffness();
+    block.weight = {0.0, 0.0, -force};
+    for (int i = 0; i < 5000; ++i) block.step();
+    const double expected = share < 1.0 ? share * depth : depth + (share - 1.0) * soft * depth;
+    EXPECT_NEAR(half - block.s.position[0].z, expected, 1e-12) << share;
+    const double at_joint = 0.5 * soft * depth * depth, beyond = expected - depth;
+    const double stored = share < 1.0 ? 0.5 * soft * expected * expected
+                                      : at_joint + soft * depth * beyond + 0.5 * beyond * beyond;
+    EXPECT_NEAR(block.contact_state.energies.elastic, block.stiffness() * stored, 1e-9 * block.stiffness() * stored) << share;
+  }
+}
+
+TEST(Contact, ASoftBounceGivesItsEnergyBack)
+{
+  Block block(ground(), 0.0, 0.0, {0.13, 0.21, 0.0006});
+  block.contact.soft = 0.1;
+  block.contact.soft_depth = 1e-5;
+  block.s.velocity[0] = {0.0, 0.0, -0.3};
+  const double start = 0.5 * mass * 0.09;
+  double deepest = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    block.step();
+    deepest = std::max(deepest, block.contact_state.penetration);
+    ASSERT_NEAR(block.energy(), start, 0.02 * start) << i;
+  }
+  EXPECT_GT(deepest, 1.5e-5);
+  EXPECT_NEAR(block.s.velocity[0].z, 0.3, 0.01 * 0.3);
+}
+
+TEST(Contact, CountsWhatItsDashpotTakes)
+{
+  for (const double damping : {0.1, 0.5}) {
+    Block block(ground(), 0.0, damping, {0.13, 0.21, 0.0006});
+    block.contact.soft = 0.1;
+    block.contact.soft_depth = 1e-5;
+    block.s.velocity[0] = {0.0, 0.0, -0.3};
+    const double start = 0.5 * mass * 0.09;
+    for (int i = 0; i < 1000; ++i) {
+      block.step();
+      ASSERT_NEAR(block.energy(), start, 0.02 * start) << damping << ", step " << i;
+    }
+    EXPECT_LT(block.s.velocity[0].z, 0.25);
+    EXPECT_GT(block.contact_state.energies.damping, 0.3 * start);
+  }
+}
+
 TEST(Contact, HoldsTheSheetOffByHalfItsThicknessOnEitherFace)
 {
   for (const double side : {1.0, -1.0}) {

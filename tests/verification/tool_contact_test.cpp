@@ -90,7 +90,7 @@ mesh = "holder.stl"
 force = "-30 N"
 mass = "50 g"
 [contact]
-penalty = 0.2
+soft = 1
 damping = 0.2
 [time]
 end = "50 ms"
