@@ -154,17 +154,21 @@ int FacetNeighbours::walk(const Vec3& p, int from) const
   return facet;
 }
 
-bool FacetNeighbours::is_well_inside(const Vec3& p, int facet) const { return margin(p, facet).room > doubt; }
+bool FacetNeighbours::is_well_inside(const Vec3& p, int facet) const
+{
+  Limits limits;
+  see_margin(p, facet, limits);
+  return limits.nearest.room > doubt;
+}
 
 /// How far p, inside a facet, is from where another plane begins: edges to a facet of the same plane, to the last bit,
 /// do not count, but that facet's other edges do.
-FacetNeighbours::Limit FacetNeighbours::margin(const Vec3& p, int facet) const
+void FacetNeighbours::see_margin(const Vec3& p, int facet, Limits& limits) const
 {
   const Facet& f = surface_.tree().facet(facet);
-  Limit limit{HUGE_VAL, {}};
   const auto see = [&](const Facet& of, int k) {
     const Vec3& inward = of.inward[static_cast<std::size_t>(k)];
-    limit.see(dot(inward, p - of.corner[static_cast<std::size_t>(k)]), inward);
+    limits.see(dot(inward, p - of.corner[static_cast<std::size_t>(k)]), inward);
   };
   for (int k = 0; k < 3; ++k) {
     if (!surface_.goes_on(facet, k)) {
@@ -175,48 +179,52 @@ FacetNeighbours::Limit FacetNeighbours::margin(const Vec3& p, int facet) const
     for (int j = 0; j < 3; ++j)
       if (surface_.across(next, j) != facet) see(surface_.tree().facet(next), j);
   }
-  return limit;
 }
 
 /// How far p, at a height above a facet, may move there before another facet may be nearer. Facets behind the plane can come no
-/// nearer, one in front of it not before p is on the plane that halves the angle between both. Negative where another facet is
+/// nearer, one in front of it not before p is on the plane that halves the angle between both. False where another facet is
 /// nearer, or as near, or where it is not known.
-FacetNeighbours::Limit FacetNeighbours::reach_above(const Vec3& p, int facet, double height) const
+bool FacetNeighbours::reach_above(const Vec3& p, int facet, double height, Limits& limits) const
 {
-  const Limit none{-1.0, {}};
-  Limit limit = margin(p, facet);
-  if (!(limit.room > doubt)) return none;
+  see_margin(p, facet, limits);
+  if (!(limits.nearest.room > doubt)) return false;
   const Competitors& list = of(facet, competitors_);
   const Vec3& normal = surface_.tree().facet(facet).normal;
-  limit.see(list.highest - height, -normal);
-  if (!(limit.room > doubt)) return none;
+  limits.see(list.highest - height, -normal);
+  if (!(limits.nearest.room > doubt)) return false;
   for (const Neighbour& n : list.facets) {
     if (const double to_bisector = (n.height(p) - height) * n.over_turn; to_bisector > doubt) {
-      limit.see(to_bisector, n.over_turn * (n.normal - normal));
+      limits.see(to_bisector, n.over_turn * (n.normal - normal));
       continue;
     }
     // It is not before the plane through its nearest point square to the way there, which stands for its own.
     const FacetPoint point = nearest_on_facet(surface_.tree().facet(n.facet), p);
     const double distance = std::sqrt(point.distance_squared);
-    if (distance <= height + doubt) return none;
+    if (distance <= height + doubt) return false;
     const Vec3 turn = (1.0 / distance) * (p - point.point) - normal;
     const double size = norm(turn);
-    if (const double room = distance - height; room < limit.room * size) limit.see(room / size, (1.0 / size) * turn);
+    if (const double room = distance - height; room < limits.nearest.room * size) limits.see(room / size, (1.0 / size) * turn);
   }
-  return limit;
+  return true;
 }
 
 /// Who has just come over an edge is near it, and would soon be looked for again: a ball that has him inside, but its middle
-/// farther from there, reaches farther.
-void FacetNeighbours::widen(const Vec3& p, const Vec3& away, Nearest& found) const
+/// farther from there, reaches farther. It goes as far from the nearest limit as from the next.
+void FacetNeighbours::widen(const Vec3& p, double height, const Limits& limits, Nearest& found) const
 {
-  if (away == Vec3{}) return;
+  const auto& [least, away] = limits.nearest;
   const Facet& f = surface_.tree().facet(found.point.facet);
-  for (double step = 2.0 * radius_; step >= std::max(2.0 * found.reach, 0.03 * radius_); step *= 0.5) {
+  double step = 2.0 * radius_;
+  if (const double sinking = -dot(f.normal, away); sinking > 0.0) step = std::min(step, 0.9 * height / sinking);
+  for (std::size_t i = 0; i < limits.count; ++i)
+    if (const double closing = 1.0 - dot(limits.seen[i].away, away); closing > 1e-6)
+      step = std::min(step, (limits.seen[i].room - least) / closing);
+  constexpr int tries = 2; // what is beside p may be nearer than it seems from there
+  for (int i = 0; i < tries && step > std::max(2.0 * found.reach, 0.03 * radius_); ++i, step *= 0.5) {
     const Vec3 centre = p + step * away;
-    const double height = f.height(centre);
-    if (!(height > 0.0)) continue;
-    const double reach = reach_above(centre, found.point.facet, height).room - 0.1 * doubt;
+    Limits there;
+    if (!reach_above(centre, found.point.facet, f.height(centre), there)) continue;
+    const double reach = there.nearest.room - 0.1 * doubt;
     if (reach <= step + 0.5 * found.reach) continue;
     found.reach = reach;
     found.anchor = centre;
@@ -232,10 +240,10 @@ FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
   const auto above = [&]() -> std::optional<Nearest> {
     const double height = surface_.tree().facet(facet).height(p);
     if (best.feature != Feature::inside || !(height > 0.0)) return {};
-    const Limit limit = reach_above(p, facet, height);
-    if (limit.room < 0.0) return {};
-    Nearest found{surface_.at(p, facet, best), std::max(0.0, limit.room - 0.1 * doubt), p};
-    widen(p, limit.away, found);
+    Limits limits;
+    if (!reach_above(p, facet, height, limits)) return {};
+    Nearest found{surface_.at(p, facet, best), std::max(0.0, limits.nearest.room - 0.1 * doubt), p};
+    widen(p, height, limits, found);
     return found;
   };
   if (facet >= 0)

@@ -1,6 +1,8 @@
 #pragma once
 #include "contact/tool_surface.hpp"
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -56,16 +58,21 @@ private:
     std::vector<Neighbour> facets;
     double highest = 0.0; ///< [m]
   };
-  /// How far one may move, and which way what forbids more recedes.
+  /// How far one may move before something, and which way it recedes.
   struct Limit {
     double room;
-    Vec3 away; ///< unit; nothing where that is not known
+    Vec3 away; ///< unit
+  };
+  /// What limits how far one may move; the first of them, should there be too many, and the nearest of all.
+  struct Limits {
+    Limit nearest{HUGE_VAL, {}};
+    std::array<Limit, 32> seen;
+    std::size_t count = 0;
 
-    void see(double other_room, const Vec3& other_away)
+    void see(double room, const Vec3& away)
     {
-      if (other_room >= room) return;
-      room = other_room;
-      away = other_away;
+      if (count < seen.size()) seen[count++] = {room, away};
+      if (room < nearest.room) nearest = {room, away};
     }
   };
   using All = std::vector<int>;
@@ -79,11 +86,11 @@ private:
   void fill(int facet, Competitors& list) const;
   void fill(int facet, All& list) const;
   [[nodiscard]] int walk(const Vec3& p, int from) const;
-  [[nodiscard]] Limit margin(const Vec3& p, int facet) const;
+  void see_margin(const Vec3& p, int facet, Limits& limits) const;
   [[nodiscard]] int edge_of(const Vec3& p, int facet, Feature feature) const;
   void set_rival(const Vec3& p, const FacetPoint& best, Nearest& found) const;
-  void widen(const Vec3& p, const Vec3& away, Nearest& found) const;
-  [[nodiscard]] Limit reach_above(const Vec3& p, int facet, double height) const;
+  void widen(const Vec3& p, double height, const Limits& limits, Nearest& found) const;
+  [[nodiscard]] bool reach_above(const Vec3& p, int facet, double height, Limits& limits) const;
 
   const ToolSurface& surface_;
   double radius_;
