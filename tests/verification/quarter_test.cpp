@@ -57,7 +57,7 @@ protected:
     double squares = 0.0;
     for (std::size_t e = 0; e < quarter.shear.size(); ++e)
       squares += std::pow(quarter.shear[e] - of_element.at(key(quarter.centre[e])), 2);
-    EXPECT_LT(std::sqrt(squares / static_cast<double>(quarter.shear.size())), 0.5); // degrees
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(quarter.shear.size())), 0.01); // degrees
 
     // The whole's quarters against each other: elements are of one size.
     std::map<std::pair<bool, bool>, std::vector<double>> parts;
