@@ -238,7 +238,7 @@ TEST(Contact, TheSearchMemoryNeverChangesTheForces)
 
 TEST(Contact, NodesThatWereAwayAreFoundAgainWhenTheyOrTheToolHaveComeNear)
 {
-  // Six nodes that fall on a ball from different heights and rise again, the ball beating time: once with what they moved known,
+  // Six nodes that fall on a ball from different heights, slide on it and rise again, the ball beating time: once with what they moved known,
   // once looking at all of them at every step.
   Tool tool{"ball", ToolSurface(test::sphere(0.05, 16)), 0.0, {}, {}, {0, 0, 1}, 0.0};
   const Contact contact(tool, 0, half, 0.1, 0.0, dt);
@@ -255,7 +255,7 @@ TEST(Contact, NodesThatWereAwayAreFoundAgainWhenTheyOrTheToolHaveComeNear)
   for (int i = 0; i < steps; ++i) {
     double moved = 0.0;
     for (int n = 0; n < nodes; ++n) {
-      const Vec3 to{1e-3 * n, 0.0, height(n, i)};
+      const Vec3 to{1e-3 * n + 8e-3 * std::sin(1e-3 * (1 + n) * i), 0.0, height(n, i)};
       moved = std::max(moved, norm(to - s.position[n]));
       s.position[n] = to;
     }
