@@ -67,8 +67,8 @@ struct Touching {
 Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
             GapLanes& gaps);
 
-/// Normal force of a spring, softer at first touch (Contact), and damping, never pulling; Coulomb friction by stick-slip return mapping: a step's
-/// tangential movement stretches the spring k_t = `stick_ratio` k and lets it slip back to the cone of
+/// Normal force of a spring, softer at first touch (Contact), and damping, never pulling; Coulomb friction by stick-slip return
+/// mapping: a step's tangential movement stretches the spring k_t = `stick_ratio` k and lets it slip back to the cone of
 /// `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force. `groups` of the block
 /// that may touch the tool or did so before, `count` of them.
 ContactSums push(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,

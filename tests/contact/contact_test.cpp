@@ -238,8 +238,8 @@ TEST(Contact, TheSearchMemoryNeverChangesTheForces)
 
 TEST(Contact, NodesThatWereAwayAreFoundAgainWhenTheyOrTheToolHaveComeNear)
 {
-  // Six nodes that fall on a ball from different heights, slide on it and rise again, the ball beating time: once with what they moved known,
-  // once looking at all of them at every step.
+  // Six nodes that fall on a ball from different heights, slide on it and rise again, the ball beating time: once with what they
+  // moved known, once looking at all of them at every step.
   Tool tool{"ball", ToolSurface(test::sphere(0.05, 16)), 0.0, {}, {}, {0, 0, 1}, 0.0};
   const Contact contact(tool, 0, half, 0.1, 0.0, dt);
   constexpr int nodes = 6, steps = 20000;
