@@ -10,11 +10,12 @@ struct NodeSprings {
   double along = 0.0;  ///< in the sheet
 };
 
-/// The true limit of the time step of central differences on a sheet, all of it in contact, measured: Lanczos' method finds the largest
-/// eigenvalue of M^-1 K from a start of random signs, and what is left of it when the search ends is added to it, so that the result
-/// is on the safe side of the eigenvalue (Zhou and Li, Linear Algebra Appl. 435 (2011) 480-493). K is LinearSheet's; nodes stay
-/// on their mirror planes. Tools hold nodes along the sheet's normals. Damping in proportion to stiffness, C = tau K, acts in a step dt like a stiffness 2 C / dt: the limit is the
-/// root of dt^2 omega^2(K + 2 C / dt + springs m / dt^2) = 4.
+/// The true limit of the time step of central differences on a sheet, measured, as if tools touched every node of it: Lanczos'
+/// method finds the largest eigenvalue of M^-1 K from a start of random signs, and what is left of it when the search ends is added
+/// to it, so that the result is on the safe side of the eigenvalue (Zhou and Li, Linear Algebra Appl. 435 (2011) 480-493). K is
+/// LinearSheet's; nodes stay on their mirror planes. The tools' springs stand square to the sheet and along it. Damping in proportion
+/// to stiffness, C = tau K, acts in a step dt like a stiffness 2 C / dt: the limit is the root of
+/// dt^2 omega^2(K + 2 C / dt + springs m / dt^2) = 4.
 class StepLimit {
 public:
   /// `mass` of each node [kg]; `shear_modulus` bounds dN/dtheta [N/m]. All must outlive this.

@@ -6,8 +6,8 @@
 
 namespace towform {
 
-/// The shear-force surface N_s(theta, rate) on a grid, bilinear between points that lie off the surface by half of what straight lines miss of it: what the solver
-/// evaluates. Angles are evenly spaced from 0 to max_angle; rates divide every octave evenly, so that a
+/// The shear-force surface N_s(theta, rate) on a grid, bilinear between its points, which lie off the surface by half of what
+/// straight lines along the rate miss of it: what the solver evaluates. Angles are evenly spaced from 0 to max_angle; rates divide every octave evenly, so that a
 /// rate's cell is read off its bits. Below the lowest rate the sheet is Newtonian (N_s proportional to rate);
 /// above the highest rate and angle the last cell goes on. Forces are kept in single precision: half the cache, 6e-8 off. N_s(theta, 0) = 0, N_s(-theta, .) = N_s(theta, .).
 class ShearTable {

@@ -215,7 +215,8 @@ StepLook look_at_step(const Model& model, const StepBound& bound, const State& s
   const StableStep guaranteed = bound.at(s);
   const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
   const double lightest = *std::min_element(model.element_mass.begin(), model.element_mass.end());
-  const double near = std::sqrt(2.0 * lightest / model.membrane.yarn.stiffness); // a wave's way over an element, and its mirror image
+  // A wave's time over an element: unlike the bound, the same for a quarter as for the whole.
+  const double near = std::sqrt(2.0 * lightest / model.membrane.yarn.stiffness);
   const double sure = std::sqrt(model.contact_room) * guaranteed.step, measured = limit.at(s.position, near);
   return {measured > sure ? measured : sure, guaranteed.step};
 }

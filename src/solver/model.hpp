@@ -13,7 +13,8 @@
 
 namespace towform {
 
-/// The stable step at some time, as measured with contact (StepLimit), beside the guaranteed one of the sheet alone (StepBound) [s].
+/// The stable step at some time, as measured with contact (StepLimit), beside the guaranteed one of the sheet alone (StepBound)
+/// [s].
 struct StepLook {
   double step = 0.0, bound = 0.0;
   [[nodiscard]] double over_bound() const { return step / bound; }
