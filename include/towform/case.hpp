@@ -47,6 +47,7 @@ struct BoundaryParameters {
 struct TimeParameters {
   double end = 0.0;           ///< [s]
   double safety = 0.85;       ///< step over the stable step
+  double lumping = 0.2;       ///< share of the sheet's mass that is put where yarns hold nodes stiffly
   double mass_scaling = 1.0;  ///< uniform factor on the sheet's mass
   std::optional<double> step; ///< wanted step [s]: only elements that need it are made heavier
   double mass_damping = 0.0;  ///< force -a m v on every node [1/s]

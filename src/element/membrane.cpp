@@ -22,6 +22,16 @@ ElementsOfNode::ElementsOfNode(std::span<const Triangle> triangles, std::size_t 
     for (const int node : triangles[e]) element[next[node]++] = static_cast<int>(e);
 }
 
+FlatTriangle flat_triangle(const Blank& blank, const Triangle& t)
+{
+  const auto& [a, b, c] = t;
+  const Vec3 d1 = blank.mesh.points[b] - blank.mesh.points[a], d2 = blank.mesh.points[c] - blank.mesh.points[a];
+  const double twice = d1.x * d2.y - d1.y * d2.x;
+  if (!(twice > 0.0)) throw std::invalid_argument("a blank element has no area or is turned over");
+  const Vec3 grad_1 = {d2.y / twice, -d2.x / twice, 0.0}, grad_2 = {-d1.y / twice, d1.x / twice, 0.0};
+  return {{dot(grad_1, blank.warp), dot(grad_2, blank.warp), dot(grad_1, blank.weft), dot(grad_2, blank.weft)}, 0.5 * twice};
+}
+
 Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric_law, YarnStrain yarn_strain)
     : triangles(blank.mesh.triangles), node_area(blank.mesh.points.size(), 0.0),
       reference_sine(dot(blank.warp, blank.weft)), thickness(blank.thickness), yarn(yarn_law), law(std::move(fabric_law))
@@ -29,16 +39,11 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
   std::vector<YarnGradients> gradients;
   gradients.reserve(triangles.size());
   area.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles) {
-    const Vec3 d1 = blank.mesh.points[b] - blank.mesh.points[a],
-               d2 = blank.mesh.points[c] - blank.mesh.points[a];
-    const double twice = d1.x * d2.y - d1.y * d2.x;
-    if (!(twice > 0.0)) throw std::invalid_argument("a blank element has no area or is turned over");
-    const Vec3 grad_1 = {d2.y / twice, -d2.x / twice, 0.0}, grad_2 = {-d1.y / twice, d1.x / twice, 0.0};
-    gradients.push_back(
-        {dot(grad_1, blank.warp), dot(grad_2, blank.warp), dot(grad_1, blank.weft), dot(grad_2, blank.weft)});
-    area.push_back(0.5 * twice);
-    for (const int node : {a, b, c}) node_area[node] += twice / 6.0;
+  for (const Triangle& t : triangles) {
+    const FlatTriangle flat = flat_triangle(blank, t);
+    gradients.push_back(flat.gradients);
+    area.push_back(flat.area);
+    for (const int node : t) node_area[node] += flat.area / 3.0;
   }
   const bool own =
       yarn_strain == YarnStrain::triangle || (yarn_strain == YarnStrain::automatic && follows_yarns(blank));

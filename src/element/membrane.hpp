@@ -18,6 +18,13 @@ struct YarnGradients {
   double warp_1, warp_2, weft_1, weft_2;
 };
 
+/// A triangle of the flat blank. Throws std::invalid_argument when it has no area or is turned over.
+struct FlatTriangle {
+  YarnGradients gradients;
+  double area; ///< [m^2]
+};
+FlatTriangle flat_triangle(const Blank& blank, const Triangle& t);
+
 /// An element's yarns: F f0 = lambda f.
 struct YarnVectors {
   Vec3 f1, f2;             ///< unit, current warp and weft

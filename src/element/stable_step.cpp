@@ -1,6 +1,7 @@
 #include "element/stable_step.hpp"
 #include "element/element_frequency.hpp"
 #include "element/membrane_work.hpp"
+#include "element/strip_parts.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <array>
@@ -11,60 +12,10 @@ namespace towform {
 
 namespace {
 
-/// Gradients of an element's corners along warp and weft [1/m].
-std::array<YarnPair, 3> corner_gradients(const YarnGradients& g)
-{
-  return {{{-g.warp_1 - g.warp_2, -g.weft_1 - g.weft_2}, {g.warp_1, g.weft_1}, {g.warp_2, g.weft_2}}};
-}
-
 double largest(const std::vector<double>& v)
 {
   return v.empty() ? 0.0 : *std::max_element(v.begin(), v.end());
 }
-
-/// What the strips' mean strains see of the nodes: their displacements along one of the yarns.
-class StripParts {
-public:
-  struct Part {
-    int component;   ///< 2 node + family
-    double gradient; ///< of the mean strain [1/m]
-  };
-
-  explicit StripParts(const Membrane& membrane)
-  {
-    std::vector<YarnGradients> of_element(membrane.triangles.size());
-    for (const ElementBlocks::Block& block : membrane.blocks.blocks)
-      membrane.each_own(block, [&](std::size_t e, const YarnGradients& g) { of_element[e] = g; });
-    first_.push_back(0);
-    for (std::size_t i = 0; i < membrane.strips.size(); ++i) {
-      const auto begin = static_cast<std::ptrdiff_t>(parts_.size());
-      for (const YarnEntry entry : membrane.strips.entries_of(i)) {
-        const int e = entry / 2, family = entry % 2;
-        const auto gradients = corner_gradients(of_element[e]);
-        const double weight = membrane.area[e] / membrane.strips.area[i];
-        for (int c = 0; c < 3; ++c) {
-          const int component = 2 * membrane.triangles[e][c] + family;
-          const double gradient = weight * (family == 0 ? gradients[c].warp : gradients[c].weft);
-          const auto same = std::find_if(parts_.begin() + begin, parts_.end(),
-                                         [component](const Part& p) { return p.component == component; });
-          if (same == parts_.end())
-            parts_.push_back({component, gradient});
-          else
-            same->gradient += gradient;
-        }
-      }
-      first_.push_back(static_cast<int>(parts_.size()));
-    }
-  }
-  [[nodiscard]] std::span<const Part> of(std::size_t strip) const
-  {
-    return {parts_.data() + first_[strip], parts_.data() + first_[strip + 1]};
-  }
-
-private:
-  std::vector<Part> parts_; // by strip
-  std::vector<int> first_;
-};
 
 } // namespace
 
@@ -75,20 +26,19 @@ void StepBound::each_node(std::size_t strip, const Work& work) const
     for (const int n : membrane_.triangles[entry / 2]) work(n);
 }
 
-StepBound::StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus,
-                     std::span<const Bending> bending)
-    : membrane_(membrane), element_mass_(element_mass), shear_modulus_(shear_modulus)
+StepBound::StepBound(const Membrane& membrane, const SheetMass& mass, double shear_modulus, std::span<const Bending> bending)
+    : membrane_(membrane), mass_(mass), shear_modulus_(shear_modulus)
 {
+  std::vector<double> thirds(mass.node.size(), 0.0);
+  for (std::size_t e = 0; e < mass.element.size(); ++e)
+    for (const int n : membrane.triangles[e]) thirds[n] += mass.element[e] / 3.0;
+  for (std::size_t n = 0; n < thirds.size(); ++n) least_share_ = std::min(least_share_, mass.node[n] / thirds[n]);
   share_masses();
   if (bending.empty()) return;
-  const std::size_t nodes = membrane.node_area.size();
-  std::vector<double> mass(nodes, 0.0);
-  for (std::size_t e = 0; e < element_mass_.size(); ++e)
-    for (const int n : membrane.triangles[e]) mass[n] += element_mass_[e] / 3.0;
-  bending_.assign(nodes, 0.0);
+  bending_.assign(mass.node.size(), 0.0);
   for (const Bending& b : bending) {
-    const std::vector<double> bound = b.frequency_bound(mass);
-    for (std::size_t n = 0; n < nodes; ++n) bending_[n] += bound[n];
+    const std::vector<double> bound = b.frequency_bound(mass.node);
+    for (std::size_t n = 0; n < bound.size(); ++n) bending_[n] += bound[n];
     bending_damping_time_ = std::max(bending_damping_time_, b.damping_time);
   }
 }
@@ -100,10 +50,7 @@ void StepBound::share_masses()
   using Part = StripParts::Part;
   const StripParts parts(membrane_);
   const std::size_t strips = membrane_.strips.size();
-  std::vector<double> mass(2 * membrane_.node_area.size(), 0.0), claims(mass.size());
-  for (std::size_t e = 0; e < element_mass_.size(); ++e)
-    for (const int n : membrane_.triangles[e])
-      for (int family = 0; family < 2; ++family) mass[2 * n + family] += element_mass_[e] / 3.0;
+  std::vector<double> claims(2 * mass_.node.size());
   std::vector<double> weight(strips, 1.0);
   strip_frequency_.resize(strips);
   constexpr int rounds = 6;
@@ -114,7 +61,7 @@ void StepBound::share_masses()
     for (std::size_t i = 0; i < strips; ++i) {
       double sum = 0.0; // of gradient^2 over the share of mass, weight |gradient| / claims of it
       for (const Part& p : parts.of(i))
-        sum += std::abs(p.gradient) * claims[p.component] / (weight[i] * mass[p.component]);
+        sum += std::abs(p.gradient) * claims[p.component] / (weight[i] * mass_.node[p.component / 2]);
       strip_frequency_[i] = membrane_.yarn.stiffness * membrane_.strips.area[i] * sum;
     }
     for (std::size_t i = 0; i < strips; ++i) weight[i] *= std::sqrt(strip_frequency_[i]);
@@ -137,7 +84,7 @@ void StepBound::find_element_frequencies(const State& s, std::vector<double>& sq
 {
   const ElementBlocks& blocks = membrane_.blocks;
   const OwnStiffness stiffness{membrane_.own_stiffness, shear_modulus_};
-  squared.resize(element_mass_.size());
+  squared.resize(mass_.element.size());
   parallel_each(blocks.count(), [&](int number) {
     static thread_local const std::unique_ptr<Workplace> workplace = std::make_unique<Workplace>();
     Workplace& w = *workplace;
@@ -149,10 +96,11 @@ void StepBound::find_element_frequencies(const State& s, std::vector<double>& sq
       gather_edges(w.position.data(), blocks.corners(block) + 3 * first, count, w.batch);
       yarn_vectors(coefficients, w.batch, first, count, w.lanes);
       shear_angles(w.lanes, first, count, 0.0, w.batch);
-      element_frequencies(coefficients, stiffness, w.lanes, first, count, w.batch, element_mass_.data() + e,
+      element_frequencies(coefficients, stiffness, w.lanes, first, count, w.batch, mass_.element.data() + e,
                           squared.data() + e);
     });
   });
+  for (double& of_element : squared) of_element /= least_share_;
 }
 
 StepBound::Frequencies StepBound::frequencies(const State& s) const
@@ -206,7 +154,7 @@ std::vector<double> StepBound::mass_factors(const State& s, double wanted) const
   std::vector<double> node(membrane_.node_area.size(), 1.0);
   for (std::size_t i = 0; i < f.strip.size(); ++i)
     each_node(i, [&](int n) { node[n] = std::max(node[n], f.strip[i] / strip_limit); });
-  std::vector<double> factor(element_mass_.size());
+  std::vector<double> factor(mass_.element.size());
   for (std::size_t e = 0; e < factor.size(); ++e) {
     factor[e] = std::max(1.0, f.element[e] / element_limit);
     for (const int n : membrane_.triangles[e]) {

@@ -11,6 +11,12 @@ struct StableStep {
   int element = 0;   ///< one of the elements whose yarns or shear set the limit
 };
 
+/// Masses of a sheet [kg]. A node's is what its elements give it, a third each or otherwise.
+struct SheetMass {
+  std::span<const double> element; ///< m
+  std::span<const double> node;    ///< n
+};
+
 /// Stable steps of central differences on a sheet, without contact. The stiffness is a sum over patches:
 /// strips of yarn, and single elements (their springs and shear). A strip is a rank-one matrix k A g g^T over
 /// the yarn components of its nodes' displacements; each node's mass is divided among the strips of either
@@ -22,9 +28,8 @@ struct StableStep {
 /// sheet turns is of the order of curvature times element, and left out.
 class StepBound {
 public:
-  /// `element_mass` [kg]; `shear_modulus` bounds dN/dtheta [N/m]. Membrane and masses must outlive the bound.
-  StepBound(const Membrane& membrane, std::span<const double> element_mass, double shear_modulus,
-            std::span<const Bending> bending = {});
+  /// `shear_modulus` bounds dN/dtheta [N/m]. Membrane and masses must outlive the bound.
+  StepBound(const Membrane& membrane, const SheetMass& mass, double shear_modulus, std::span<const Bending> bending = {});
 
   /// The stable step at the sheet's current shape.
   [[nodiscard]] StableStep at(const State& s) const;
@@ -46,7 +51,8 @@ private:
   [[nodiscard]] double step_of(double in_plane, double of_bending) const;
 
   const Membrane& membrane_;
-  std::span<const double> element_mass_;
+  SheetMass mass_;
+  double least_share_ = 1.0; ///< of a node, over thirds of its elements
   double shear_modulus_;
   std::vector<double> strip_frequency_; // omega^2 of a strip of square yarns [1/s^2]
   std::vector<double> bending_;         ///< n, omega^2 [1/s^2]; empty without bending

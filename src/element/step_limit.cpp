@@ -26,25 +26,18 @@ void scale(std::span<Vec3> v, double by)
   for (Vec3& x : v) x *= by;
 }
 
-/// The same signs every time, those of mirror images alike: what a quarter of a blank is told is told of the whole.
-std::vector<Vec3> random_signs(std::span<const Vec3> points)
+/// The same every time for a mesh.
+std::vector<Vec3> random_signs(std::size_t nodes)
 {
-  constexpr double tick = 1e-7; // [m], on which images fall together
-  const auto ticks = [](double x) { return static_cast<std::uint64_t>(std::llround(std::abs(x) / tick)); };
-  const auto side = [](double x) { return x > tick ? 1.0 : x < -tick ? -1.0 : 0.0; };
-  std::vector<Vec3> v;
-  v.reserve(points.size());
-  for (const Vec3& p : points) {
-    std::uint64_t bits = (ticks(p.x) << 32 | ticks(p.y)) + 1;
-    const auto sign = [&] {
-      bits += 0x9e3779b97f4a7c15ULL; // splitmix64 (Steele, Lea and Flood 2014)
-      std::uint64_t mixed = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
-      mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebULL;
-      return (mixed ^ (mixed >> 31)) >> 63 == 0 ? 1.0 : -1.0;
-    };
-    const double a = sign(), b = sign(), c = sign();
-    v.push_back({a * side(p.x), b * side(p.y), c});
-  }
+  std::uint64_t bits = 0;
+  const auto sign = [&] {
+    bits += 0x9e3779b97f4a7c15ULL; // splitmix64 (Steele, Lea and Flood 2014)
+    std::uint64_t mixed = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebULL;
+    return (mixed ^ (mixed >> 31)) >> 63 == 0 ? 1.0 : -1.0;
+  };
+  std::vector<Vec3> v(nodes);
+  for (Vec3& x : v) x = {sign(), sign(), sign()};
   return v;
 }
 
@@ -81,7 +74,7 @@ double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<
 {
   const double along = springs_.along / (dt * dt), more = (springs_.normal - springs_.along) / (dt * dt);
   const std::size_t nodes = over_root_mass_.size();
-  std::vector<Vec3> now = random_signs(blank_.mesh.points); // displacements
+  std::vector<Vec3> now = random_signs(nodes); // displacements
   for (std::size_t n = 0; n < nodes; ++n) now[n] *= 1.0 / over_root_mass_[n];
   std::vector<Vec3> before(nodes), motion(nodes);
   hold_on_mirrors(now);

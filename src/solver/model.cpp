@@ -1,5 +1,6 @@
 #include "solver/model.hpp"
 #include "element/held_bending.hpp"
+#include "element/mass_lumping.hpp"
 #include "element/stable_step.hpp"
 #include "parallel/parallel.hpp"
 #include "solver/placement.hpp"
@@ -58,12 +59,13 @@ double shear_modulus_bound(const FabricMaterial& material)
   return bound;
 }
 
-std::vector<double> lumped(const Membrane& membrane, const std::vector<double>& element_mass,
-                           std::size_t nodes)
+/// `factors` on the thirds of their elements' masses, of every node.
+std::vector<double> lumped(const Membrane& membrane, std::span<const double> element_mass, std::span<const double> factors)
 {
-  std::vector<double> mass(nodes, 0.0);
+  std::vector<double> mass(factors.size(), 0.0);
   for (std::size_t e = 0; e < element_mass.size(); ++e)
     for (const int n : membrane.triangles[e]) mass[n] += element_mass[e] / 3.0;
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] *= factors[n];
   return mass;
 }
 
@@ -88,17 +90,17 @@ void set_damping(const MaterialParameters& material, std::span<const Vec3> flat,
 
 /// Looks at the flat sheet's stable step and makes elements heavier until it is `wanted` [s] (0: as it is). Heavier elements change what their
 /// neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
-void scale_masses(double wanted, const State& flat, Model& model)
+void scale_masses(double wanted, const State& flat, std::span<const double> lumping, Model& model)
 {
   constexpr int most_rounds = 20;
   constexpr double aim = 1.001;
   for (int round = 0; round < most_rounds; ++round) {
-    const StepBound bound(model.membrane, model.element_mass, model.shear_modulus, model.bending);
+    const StepBound bound(model.membrane, {model.element_mass, model.mass}, model.shear_modulus, model.bending);
     model.first_look = look_at_step(model, bound, flat);
     if (model.first_look.step >= wanted) return;
     const auto factors = bound.mass_factors(flat, aim * wanted / model.first_look.over_bound());
     for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
-    model.mass = lumped(model.membrane, model.element_mass, flat.position.size());
+    model.mass = lumped(model.membrane, model.element_mass, lumping);
   }
 }
 
@@ -109,8 +111,24 @@ int bending_interval(const Bending& bending, const Model& model)
   return longest_hold(fastest_bending(bending, model.mass) * model.first_step, bending.damping_time / model.first_step, most);
 }
 
-/// Masses, steps and contact stiffnesses: what depends on one another.
-void set_inertia(const Case& c, Model& model)
+/// The nodes' factors on thirds of their elements' masses: as the case wants them, or all 1 where bending limits the step, and it
+/// would be shorter with them.
+std::vector<double> find_lumping(const Case& c, const std::vector<double>& element_mass, const Model& model)
+{
+  const std::vector<double> thirds(model.membrane.node_area.size(), 1.0);
+  if (c.time.lumping == 0.0) return thirds;
+  std::vector<double> factors = lumping_factors(model.blank, model.membrane, c.time.lumping);
+  if (model.bending.empty()) return factors;
+  const auto limit = [&](std::span<const double> lumping) {
+    constexpr double near = 1e-6; // any: there is no damping yet
+    const std::vector<double> mass = lumped(model.membrane, element_mass, lumping);
+    return StepLimit(model.blank, model.membrane, mass, model.shear_modulus, model.bending).at(model.blank.mesh.points, near);
+  };
+  return limit(factors) >= limit(thirds) ? factors : thirds;
+}
+
+/// Masses, steps and contact stiffnesses: what depends on one another. Returns the nodes' factors on thirds of their elements' masses.
+std::vector<double> set_inertia(const Case& c, Model& model)
 {
   const Membrane& membrane = model.membrane;
   State sheet;
@@ -118,14 +136,15 @@ void set_inertia(const Case& c, Model& model)
   const double per_area = c.material.constituents.density * c.blank.thickness;
   const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
   for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
-  model.mass = lumped(membrane, model.element_mass, sheet.position.size());
+  std::vector<double> lumping = find_lumping(c, model.element_mass, model);
+  model.mass = lumped(membrane, model.element_mass, lumping);
   model.safety = c.time.safety;
   if (!model.tools.empty()) {
     model.tool_springs = {c.contact.two_tools(), c.contact.stick * c.contact.two_tools()};
     model.contact_room = c.contact.room();
   }
   set_damping(c.material, sheet.position, model);
-  scale_masses(c.time.step.value_or(0.0) / model.safety, sheet, model);
+  scale_masses(c.time.step.value_or(0.0) / model.safety, sheet, lumping, model);
   model.added_mass_fraction = std::max( // not less than none in the last digit
       0.0, std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0);
   double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
@@ -144,6 +163,7 @@ void set_inertia(const Case& c, Model& model)
     contact.soft = c.contact.soft;
     contact.soft_depth = c.contact.soft_depth * c.blank.thickness;
   }
+  return lumping;
 }
 
 /// The spring that holds a triangle's yarn strain to its strip's [N/m]: of the order of what shears the
@@ -195,11 +215,13 @@ Bending make_bending(const Case& c, const Model& model)
   return {model.blank, model.clamped, model.membrane.node_area, law(&Vec2::x), law(&Vec2::y)};
 }
 
-Gravity make_gravity(const Case& c, const Membrane& membrane)
+/// Where the masses are.
+Gravity make_gravity(const Case& c, const Membrane& membrane, std::span<const double> lumping)
 {
   Gravity gravity;
   const double per_area = c.material.constituents.density * c.blank.thickness;
-  for (const double area : membrane.node_area) gravity.weight.push_back((per_area * area) * c.load.gravity);
+  for (std::size_t n = 0; n < lumping.size(); ++n)
+    gravity.weight.push_back((per_area * membrane.node_area[n] * lumping[n]) * c.load.gravity);
   return gravity;
 }
 
@@ -248,7 +270,6 @@ Model build_model(const Case& c)
     if (auto bending = input(c, "blank", issues, [&] { return make_bending(c, model); }))
       model.bending.push_back(std::move(*bending));
   if (!issues.empty()) throw InputError(std::move(issues));
-  if (c.load.gravity != Vec3{}) model.gravity.push_back(make_gravity(c, model.membrane));
   if (!c.load.pressure.empty()) {
     const SurfaceMesh& mesh = model.blank.mesh;
     model.pressure.push_back({c.load.pressure, ElementsOfNode(mesh.triangles, mesh.points.size())});
@@ -259,7 +280,8 @@ Model build_model(const Case& c)
   model.mass_damping = c.time.mass_damping;
   model.shear_modulus = shear_modulus_bound(model.material);
   model.mirror_factor = mirror_factor(c.blank.symmetry);
-  set_inertia(c, model);
+  const std::vector<double> lumping = set_inertia(c, model);
+  if (c.load.gravity != Vec3{}) model.gravity.push_back(make_gravity(c, model.membrane, lumping));
   return model;
 }
 

@@ -68,7 +68,7 @@ class ExplicitRun final : public SessionRun {
 public:
   ExplicitRun(Session& session, int thread_count)
       : SessionRun(session), model_(build_model(case_)),
-        bound_(model_.membrane, model_.element_mass, model_.shear_modulus, model_.bending)
+        bound_(model_.membrane, SheetMass{model_.element_mass, model_.mass}, model_.shear_modulus, model_.bending)
   {
     if (thread_count == 0) set_threads(std::min(threads(), useful_threads(model_)));
     record_ = &run_.record;

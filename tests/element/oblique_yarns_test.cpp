@@ -167,7 +167,7 @@ TEST(ObliqueYarns, StepBoundHolds)
     }
     const double limit = 2.0 / std::sqrt(omega_squared);
     const double bound =
-        StepBound(membrane, element_mass, std::get<ViscousLaw>(membrane.law).modulus).at(rest).step;
+        StepBound(membrane, {element_mass, mass}, std::get<ViscousLaw>(membrane.law).modulus).at(rest).step;
     EXPECT_LE(bound, 1.001 * limit) << between / degree;
     EXPECT_GE(bound, 0.45 * limit) << between / degree;
   }

@@ -24,8 +24,8 @@ TEST(BentSheet, BendingLimitsTheStepAndTheBoundHolds)
   for (const Pattern pattern : {Pattern::diagonal, Pattern::cross, Pattern::unstructured}) {
     const Model model = build_model(stiff_sheet(pattern, 30.0));
     const State flat = start(model).sheet;
-    const StepBound bound(model.membrane, model.element_mass, model.shear_modulus, model.bending);
-    const StepBound without(model.membrane, model.element_mass, model.shear_modulus);
+    const StepBound bound(model.membrane, SheetMass{model.element_mass, model.mass}, model.shear_modulus, model.bending);
+    const StepBound without(model.membrane, SheetMass{model.element_mass, model.mass}, model.shear_modulus);
     ASSERT_LT(bound.at(flat).step, 0.5 * without.at(flat).step);
     const auto growth = [&](double factor) {
       constexpr double so_little = 1e-3; // that the sheet stays flat

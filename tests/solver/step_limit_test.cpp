@@ -68,7 +68,7 @@ TEST(StepLimit, IsTheTrueLimitOfFlatAndShearedSheets)
           p = {along + std::sin(shear) * across, std::cos(shear) * across * 0.8, std::cos(shear) * across * 0.6};
         }
         const double truth = true_limit(model, shape), found = measured(model, shape);
-        const double bound = StepBound(model.membrane, model.element_mass, model.shear_modulus)
+        const double bound = StepBound(model.membrane, {model.element_mass, model.mass}, model.shear_modulus)
                                  .at(start(model).sheet)
                                  .step;
         EXPECT_LT(found, 1.005 * truth) << static_cast<int>(pattern) << ", " << degrees << ", " << shear;
@@ -106,14 +106,16 @@ TEST(StepLimit, ToolsTakeTheirShareInTheSheetNotSquareToIt)
   }
 }
 
-TEST(StepLimit, AQuarterHasTheLimitOfTheWhole)
+/// The whole has all the modes of its quarter, and those that are not their own mirror images.
+TEST(StepLimit, AQuarterHasTheLimitOfTheWholeOrALittleMore)
 {
   Case c = sheet(Pattern::cross, 0.0);
   c.blank.elements = 640;
   const Model whole = build_model(c);
   c.blank.symmetry = Symmetry::quarter;
   const Model quarter = build_model(c);
-  EXPECT_NEAR(quarter.first_look.step, whole.first_look.step, 1e-5 * whole.first_look.step);
+  EXPECT_GT(quarter.first_look.step, 0.999 * whole.first_look.step);
+  EXPECT_LT(quarter.first_look.step, 1.01 * whole.first_look.step);
 }
 
 TEST(StepLimit, HoldsJustBelowAndBreaksJustAbove)
@@ -127,7 +129,7 @@ TEST(StepLimit, HoldsJustBelowAndBreaksJustAbove)
       // With damping near the limit the account breathes.
       EXPECT_LT(growth(0.98), damping > 0.0 ? 2.0 : 1.1) << static_cast<int>(pattern) << ", damping " << damping;
       if (TOWFORM_FLOAT_TRAPS) continue; // breaking ends the program
-      EXPECT_EQ(growth(1.03), HUGE_VAL) << static_cast<int>(pattern) << ", damping " << damping;
+      EXPECT_EQ(growth(1.04), HUGE_VAL) << static_cast<int>(pattern) << ", damping " << damping;
     }
 }
 
