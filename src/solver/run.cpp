@@ -42,10 +42,12 @@ double present_step(const Model& model, const StepBound& bound, const System& s,
 
 constexpr std::int64_t steps_between_looks = 100; ///< at the stable step
 
-/// The next steps evenly up to `time`, `most` of them.
-Stride next_stride(double time, double stable_step, double now, std::int64_t most)
+/// The next steps evenly up to `time`, `most` of them. To come out one fewer they may take half of what `safety` leaves to the
+/// stable step.
+Stride next_stride(double time, double step, double safety, double now, std::int64_t most)
 {
-  const auto left = static_cast<std::int64_t>(std::ceil((time - now) / stable_step * (1.0 - 1e-9)));
+  const auto steps_of = [&](double dt) { return static_cast<std::int64_t>(std::ceil((time - now) / dt * (1.0 - 1e-9))); };
+  const std::int64_t left = std::max(steps_of(step) - 1, steps_of(step * (0.5 + 0.5 / safety)));
   return {(time - now) / static_cast<double>(left), std::min(left, most), left <= most};
 }
 
@@ -147,7 +149,7 @@ private:
       KnownStep& known = run_.known;
       if (known.at < 0 || s.sheet.step - known.at >= steps_between_looks)
         known = {present_step(model_, bound_, s, run_.look, limiting_), s.sheet.step};
-      stride = next_stride(time, known.step, s.sheet.time, known.at + steps_between_looks - s.sheet.step);
+      stride = next_stride(time, known.step, model_.safety, s.sheet.time, known.at + steps_between_looks - s.sheet.step);
       run_.phases.mark(Phase::stable_step);
     }
   }
