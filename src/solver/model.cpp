@@ -111,12 +111,12 @@ int bending_interval(const Bending& bending, const Model& model)
   return longest_hold(fastest_bending(bending, model.mass) * model.first_step, bending.damping_time / model.first_step, most);
 }
 
-/// The nodes' factors on thirds of their elements' masses: as the case wants them, or all 1 where bending limits the step, and it
-/// would be shorter with them.
+/// The nodes' factors on thirds of their elements' masses: as the case wants them, or all 1 where the sheet has weight, which hangs
+/// where its mass is and bends it accordingly, or where bending limits the step, and it would be shorter with them.
 std::vector<double> find_lumping(const Case& c, const std::vector<double>& element_mass, const Model& model)
 {
   const std::vector<double> thirds(model.membrane.node_area.size(), 1.0);
-  if (c.time.lumping == 0.0) return thirds;
+  if (c.time.lumping == 0.0 || !model.gravity.empty()) return thirds;
   std::vector<double> factors = lumping_factors(model.blank, model.membrane, c.time.lumping);
   if (model.bending.empty()) return factors;
   const auto limit = [&](std::span<const double> lumping) {
@@ -127,8 +127,8 @@ std::vector<double> find_lumping(const Case& c, const std::vector<double>& eleme
   return limit(factors) >= limit(thirds) ? factors : thirds;
 }
 
-/// Masses, steps and contact stiffnesses: what depends on one another. Returns the nodes' factors on thirds of their elements' masses.
-std::vector<double> set_inertia(const Case& c, Model& model)
+/// Masses, steps and contact stiffnesses: what depends on one another.
+void set_inertia(const Case& c, Model& model)
 {
   const Membrane& membrane = model.membrane;
   State sheet;
@@ -136,7 +136,7 @@ std::vector<double> set_inertia(const Case& c, Model& model)
   const double per_area = c.material.constituents.density * c.blank.thickness;
   const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
   for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
-  std::vector<double> lumping = find_lumping(c, model.element_mass, model);
+  const std::vector<double> lumping = find_lumping(c, model.element_mass, model);
   model.mass = lumped(membrane, model.element_mass, lumping);
   model.safety = c.time.safety;
   if (!model.tools.empty()) {
@@ -163,7 +163,6 @@ std::vector<double> set_inertia(const Case& c, Model& model)
     contact.soft = c.contact.soft;
     contact.soft_depth = c.contact.soft_depth * c.blank.thickness;
   }
-  return lumping;
 }
 
 /// The spring that holds a triangle's yarn strain to its strip's [N/m]: of the order of what shears the
@@ -215,13 +214,11 @@ Bending make_bending(const Case& c, const Model& model)
   return {model.blank, model.clamped, model.membrane.node_area, law(&Vec2::x), law(&Vec2::y)};
 }
 
-/// Where the masses are.
-Gravity make_gravity(const Case& c, const Membrane& membrane, std::span<const double> lumping)
+Gravity make_gravity(const Case& c, const Membrane& membrane)
 {
   Gravity gravity;
   const double per_area = c.material.constituents.density * c.blank.thickness;
-  for (std::size_t n = 0; n < lumping.size(); ++n)
-    gravity.weight.push_back((per_area * membrane.node_area[n] * lumping[n]) * c.load.gravity);
+  for (const double area : membrane.node_area) gravity.weight.push_back((per_area * area) * c.load.gravity);
   return gravity;
 }
 
@@ -270,6 +267,7 @@ Model build_model(const Case& c)
     if (auto bending = input(c, "blank", issues, [&] { return make_bending(c, model); }))
       model.bending.push_back(std::move(*bending));
   if (!issues.empty()) throw InputError(std::move(issues));
+  if (c.load.gravity != Vec3{}) model.gravity.push_back(make_gravity(c, model.membrane));
   if (!c.load.pressure.empty()) {
     const SurfaceMesh& mesh = model.blank.mesh;
     model.pressure.push_back({c.load.pressure, ElementsOfNode(mesh.triangles, mesh.points.size())});
@@ -280,8 +278,7 @@ Model build_model(const Case& c)
   model.mass_damping = c.time.mass_damping;
   model.shear_modulus = shear_modulus_bound(model.material);
   model.mirror_factor = mirror_factor(c.blank.symmetry);
-  const std::vector<double> lumping = set_inertia(c, model);
-  if (c.load.gravity != Vec3{}) model.gravity.push_back(make_gravity(c, model.membrane, lumping));
+  set_inertia(c, model);
   return model;
 }
 

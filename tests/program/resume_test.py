@@ -164,7 +164,7 @@ class Resume(Interrupted):
         self.refuse(CHECKPOINT, "checkpoint.h5: is damaged", "checkpoint.previous.h5: is damaged")
 
     def test_not_when_results_are_not_those_of_the_checkpoint(self):
-        self.stop(steps=500)
+        self.stop(steps=400)
         history = (self.out / "history.csv").read_text()
         (self.out / "history.csv").write_text(history[:40])
         self.refuse(FILES, "history.csv: has ")
