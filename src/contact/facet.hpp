@@ -28,6 +28,9 @@ struct alignas(64) Facet {
   Vec3 normal;                ///< unit, outward
   double offset;              ///< normal . x of its plane [m]
   std::array<Vec3, 3> inward; ///< unit, in the plane, from edge k (corner k to k+1) to the inside
+  // What lies beyond its edges, here as it is looked at together:
+  std::array<int, 3> across{-1, -1, -1}; ///< the facet there, or -1 where the surface ends
+  std::array<bool, 3> goes_on{};         ///< it lies in the same plane, to the last bit: the edge is none to who is near it
 
   explicit Facet(const std::array<Vec3, 3>& corners)
       : corner(corners), normal(normalized(cross(corner[1] - corner[0], corner[2] - corner[0]))),

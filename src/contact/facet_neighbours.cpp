@@ -102,24 +102,30 @@ FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double hig
   return list;
 }
 
-/// Lists serve as high as the facet is long where that brings no more competitors: above a level part of a tool.
+/// Lists serve as high as the facet is long where that brings no competitors: above a level part of a tool.
 void FacetNeighbours::fill(int number, Competitors& list) const
 {
   static thread_local std::vector<int> near;
   static thread_local std::vector<Vec3> level, space;
   const Facet& f = surface_.tree().facet(number);
+  find_level(number, level);
+  const auto look = [&](double highest) {
+    space = level;
+    for (const Vec3& corner : level) space.push_back(corner + highest * f.normal);
+    surface_.tree().find_in_front(f, space, highest, near);
+  };
+  look(highest_);
+  list = competitors(number, highest_, level, near);
   const double length = std::max({norm(f.edge(0)), norm(f.edge(1)), norm(f.edge(2))});
   double most = highest_;
   while (2.0 * most <= length) most *= 2.0;
-  find_level(number, level);
-  space = level;
-  for (const Vec3& corner : level) space.push_back(corner + most * f.normal);
-  surface_.tree().find_in_front(f, space, most, near);
-  list = competitors(number, highest_, level, near);
-  for (double highest = 2.0 * highest_; highest <= most; highest *= 2.0) {
-    Competitors higher = competitors(number, highest, level, near);
-    if (higher.facets.size() > list.facets.size()) break;
-    list = std::move(higher);
+  if (list.facets.empty() && most > highest_) {
+    look(most);
+    for (double highest = 2.0 * highest_; highest <= most; highest *= 2.0) {
+      Competitors higher = competitors(number, highest, level, near);
+      if (!higher.facets.empty()) break;
+      list = std::move(higher);
+    }
   }
   list.facets.shrink_to_fit();
 }
@@ -146,7 +152,7 @@ int FacetNeighbours::walk(const Vec3& p, int from) const
         farthest = inside;
         edge = k;
       }
-    const int next = edge < 0 ? -1 : surface_.across(facet, edge);
+    const int next = edge < 0 ? -1 : f.across[edge];
     if (next < 0 || next == before) break;
     before = facet;
     facet = next;
@@ -171,13 +177,13 @@ void FacetNeighbours::see_margin(const Vec3& p, int facet, Limits& limits) const
     limits.see(dot(inward, p - of.corner[static_cast<std::size_t>(k)]), inward);
   };
   for (int k = 0; k < 3; ++k) {
-    if (!surface_.goes_on(facet, k)) {
+    if (!f.goes_on[k]) {
       see(f, k);
       continue;
     }
-    const int next = surface_.across(facet, k);
+    const Facet& next = surface_.tree().facet(f.across[k]);
     for (int j = 0; j < 3; ++j)
-      if (surface_.across(next, j) != facet) see(surface_.tree().facet(next), j);
+      if (next.across[j] != facet) see(next, j);
   }
 }
 
@@ -261,10 +267,8 @@ FacetNeighbours::Nearest FacetNeighbours::nearest(const Vec3& p, int from) const
   }
   const int tried = facet;
   for (const int near : of(facet, all_)) {
-    const Facet& other = surface_.tree().facet(near);
-    const double height = other.height(p);
-    if (height * height > best.distance_squared) continue;
-    const FacetPoint point = nearest_on_facet(other, p);
+    if (surface_.tree().least_distance_squared(p, near) > best.distance_squared) continue;
+    const FacetPoint point = nearest_on_facet(surface_.tree().facet(near), p);
     if (point.distance_squared < best.distance_squared ||
         (point.distance_squared == best.distance_squared && near < facet)) {
       best = point;
@@ -305,9 +309,8 @@ void FacetNeighbours::set_rival(const Vec3& p, const FacetPoint& best, Nearest& 
   const double distance = std::sqrt(best.distance_squared);
   double third = radius_ - distance;
   for (const int near : of(found.point.facet, all_)) {
-    const Facet& other = surface_.tree().facet(near);
-    if (near == found.rival || std::abs(other.height(p)) >= third) continue;
-    third = std::min(third, std::sqrt(nearest_on_facet(other, p).distance_squared));
+    if (near == found.rival || surface_.tree().least_distance_squared(p, near) >= third * third) continue;
+    third = std::min(third, std::sqrt(nearest_on_facet(surface_.tree().facet(near), p).distance_squared));
   }
   found.clear = 0.5 * (third - distance) - doubt;
   if (found.clear > 0.0) return;

@@ -12,9 +12,6 @@ namespace {
 
 constexpr int stack_size = 128; // a walk never holds more entries than the tree has levels, plus one
 
-/// How far x lies outside low .. high.
-inline double outside(double x, double low, double high) { return std::max(std::max(low - x, x - high), 0.0); }
-
 inline Box grown(const Box& box, double distance)
 {
   const Vec3 by{distance, distance, distance};
@@ -25,30 +22,20 @@ inline Box grown(const Box& box, double distance)
 
 /// FCL's tree flattened: our traversal touches nothing else of it.
 struct FacetTree::Boxes {
-  /// A box in single precision, no smaller than the true one: half the cache.
-  struct RoundedBox {
-    std::array<float, 3> low, high;
-
-    RoundedBox() = default;
-    RoundedBox(const fcl::Vector3d& its_low, const fcl::Vector3d& its_high)
-    {
-      for (int k = 0; k < 3; ++k) {
-        low[k] = std::nextafter(static_cast<float>(its_low[k]), -HUGE_VALF);
-        high[k] = std::nextafter(static_cast<float>(its_high[k]), HUGE_VALF);
-      }
+  static RoundedBox rounded(const fcl::AABB<double>& box)
+  {
+    RoundedBox its;
+    for (int k = 0; k < 3; ++k) {
+      its.low[k] = std::nextafter(static_cast<float>(box.min_[k]), -HUGE_VALF);
+      its.high[k] = std::nextafter(static_cast<float>(box.max_[k]), HUGE_VALF);
     }
-
-    [[nodiscard]] double distance_squared(const Vec3& p) const
-    {
-      const double dx = outside(p.x, low[0], high[0]), dy = outside(p.y, low[1], high[1]), dz = outside(p.z, low[2], high[2]);
-      return dx * dx + dy * dy + dz * dz;
-    }
-    [[nodiscard]] bool overlaps(const Box& other) const
-    {
-      return low[0] <= other.high.x && other.low.x <= high[0] && low[1] <= other.high.y && other.low.y <= high[1] &&
-             low[2] <= other.high.z && other.low.z <= high[2];
-    }
-  };
+    return its;
+  }
+  static bool overlap(const RoundedBox& a, const Box& b)
+  {
+    return a.low[0] <= b.high.x && b.low.x <= a.high[0] && a.low[1] <= b.high.y && b.low.y <= a.high[1] && a.low[2] <= b.high.z &&
+           b.low.z <= a.high[2];
+  }
   struct Node {
     RoundedBox box;
     int left = -1; ///< right is left + 1; a leaf has facet >= 0
@@ -74,12 +61,13 @@ FacetTree::FacetTree(const SurfaceMesh& mesh)
   model.addSubModel(points, triangles);
   model.endModel();
 
+  boxes_of_facets_.resize(facets_.size());
   auto boxes = std::make_unique<Boxes>();
   boxes->nodes.resize(static_cast<std::size_t>(model.getNumBVs()));
   for (int i = 0; i < model.getNumBVs(); ++i) {
     const auto& from = model.getBV(i);
-    boxes->nodes[i] = {{from.bv.min_, from.bv.max_}, from.isLeaf() ? -1 : from.leftChild(),
-                       from.isLeaf() ? from.primitiveId() : -1};
+    boxes->nodes[i] = {Boxes::rounded(from.bv), from.isLeaf() ? -1 : from.leftChild(), from.isLeaf() ? from.primitiveId() : -1};
+    if (from.isLeaf()) boxes_of_facets_[from.primitiveId()] = boxes->nodes[i].box;
   }
   boxes_ = std::move(boxes);
   if (depth() >= stack_size)
@@ -183,18 +171,18 @@ void FacetTree::find(const Wanted& wanted, std::vector<int>& found) const
 void FacetTree::find_in_box_round(std::span<const Vec3> points, double distance, std::vector<int>& found) const
 {
   const Box round = grown(box_of(points), distance);
-  find([&](const Boxes::RoundedBox& box) { return box.overlaps(round); }, found);
+  find([&](const RoundedBox& box) { return Boxes::overlap(box, round); }, found);
 }
 
 void FacetTree::find_in_front(const Facet& facet, std::span<const Vec3> points, double distance, std::vector<int>& found) const
 {
   const Box round = grown(box_of(points), distance);
   const Vec3& n = facet.normal;
-  const auto highest = [&](const Boxes::RoundedBox& box) {
+  const auto highest = [&](const RoundedBox& box) {
     return (n.x > 0.0 ? box.high[0] : box.low[0]) * n.x + (n.y > 0.0 ? box.high[1] : box.low[1]) * n.y +
            (n.z > 0.0 ? box.high[2] : box.low[2]) * n.z - facet.offset;
   };
-  find([&](const Boxes::RoundedBox& box) { return box.overlaps(round) && highest(box) > 0.0; }, found);
+  find([&](const RoundedBox& box) { return Boxes::overlap(box, round) && highest(box) > 0.0; }, found);
 }
 
 } // namespace towform

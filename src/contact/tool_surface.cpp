@@ -35,8 +35,7 @@ private:
 
 ToolSurface::ToolSurface(SurfaceMesh mesh)
     : mesh_(std::move(mesh)), tree_(mesh_), edge_normal_(mesh_.triangles.size()),
-      across_(mesh_.triangles.size()), goes_on_(mesh_.triangles.size()), corner_normal_(mesh_.points.size()),
-      border_corner_(mesh_.points.size(), 0), lowest_(mesh_.points.front()), highest_(mesh_.points.front())
+      corner_normal_(mesh_.points.size()), border_corner_(mesh_.points.size(), 0), lowest_(mesh_.points.front()), highest_(mesh_.points.front())
 {
   for (const Vec3& p : mesh_.points) {
     lowest_ = {std::min(lowest_.x, p.x), std::min(lowest_.y, p.y), std::min(lowest_.z, p.z)};
@@ -56,15 +55,16 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
     for (int k = 0; k < 3; ++k) {
       const int from = mesh_.triangles[t][k], to = mesh_.triangles[t][(k + 1) % 3];
       const int other = edges.facet(to, from);
-      across_[t][k] = other;
-      edge_normal_[t][k] = tree_.facet(static_cast<int>(t)).normal;
+      Facet& here = tree_.facet(static_cast<int>(t));
+      here.across[k] = other;
+      edge_normal_[t][k] = here.normal;
       if (other < 0) {
         border_corner_[from] = border_corner_[to] = 1;
         continue;
       }
-      const Facet &here = tree_.facet(static_cast<int>(t)), &there = tree_.facet(other);
+      const Facet& there = tree_.facet(other);
       edge_normal_[t][k] += there.normal;
-      goes_on_[t][k] = here.normal == there.normal && here.offset == there.offset ? 1 : 0;
+      here.goes_on[k] = here.normal == there.normal && here.offset == there.offset;
     }
 }
 
@@ -79,7 +79,7 @@ SurfacePoint ToolSurface::at(const Vec3& p, int facet, const FacetPoint& near) c
   Vec3 normal;
   if (edge >= 0) {
     normal = edge_normal_[facet][edge];
-    result.on_border = across_[facet][edge] < 0;
+    result.on_border = f.across[edge] < 0;
   } else {
     const int node =
         mesh_.triangles[facet][static_cast<int>(near.feature) - static_cast<int>(Feature::corner_0)];

@@ -38,9 +38,9 @@ public:
   /// The nearest point of two facets, of equally near ones the lower number's.
   [[nodiscard]] SurfacePoint nearest_of(const Vec3& p, int facet, int other) const;
   /// The facet beyond edge k of a facet, or -1 where the surface ends.
-  [[nodiscard]] int across(int facet, int k) const { return across_[facet][k]; }
+  [[nodiscard]] int across(int facet, int k) const { return tree_.facet(facet).across[k]; }
   /// Whether that facet lies in the same plane, to the last bit: then the edge is none to who is near it.
-  [[nodiscard]] bool goes_on(int facet, int k) const { return goes_on_[facet][k] != 0; }
+  [[nodiscard]] bool goes_on(int facet, int k) const { return tree_.facet(facet).goes_on[k]; }
 
   [[nodiscard]] Vec3 lowest() const { return lowest_; }   ///< corner of the bounding box
   [[nodiscard]] Vec3 highest() const { return highest_; } ///< opposite corner
@@ -49,8 +49,6 @@ private:
   SurfaceMesh mesh_;
   FacetTree tree_;
   std::vector<std::array<Vec3, 3>> edge_normal_;
-  std::vector<std::array<int, 3>> across_;
-  std::vector<std::array<char, 3>> goes_on_;
   std::vector<Vec3> corner_normal_; // of mesh points
   std::vector<char> border_corner_;
   Vec3 lowest_, highest_;
