@@ -11,24 +11,30 @@ namespace {
 /// The facet that has an edge from one point to another.
 class DirectedEdges {
 public:
-  explicit DirectedEdges(const std::vector<Triangle>& triangles)
+  explicit DirectedEdges(const SurfaceMesh& mesh) : first_(mesh.points.size() + 1, 0), edges_(3 * mesh.triangles.size())
   {
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k)
-        edges_.push_back({triangles[t][k], triangles[t][(k + 1) % 3], static_cast<int>(t)});
-    std::sort(edges_.begin(), edges_.end());
+    for (const Triangle& t : mesh.triangles)
+      for (const int from : t) ++first_[static_cast<std::size_t>(from) + 1];
+    for (std::size_t n = 0; n + 1 < first_.size(); ++n) first_[n + 1] += first_[n];
+    std::vector<int> next(first_.begin(), first_.end() - 1);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        edges_[next[mesh.triangles[t][k]]++] = {mesh.triangles[t][(k + 1) % 3], static_cast<int>(t)};
   }
   /// Of several the last, or -1.
   [[nodiscard]] int facet(int from, int to) const
   {
-    const auto after = std::lower_bound(edges_.begin(), edges_.end(), std::array{from, to + 1, -1});
-    if (after == edges_.begin()) return -1;
-    const auto& [its_from, its_to, facet] = *std::prev(after);
-    return its_from == from && its_to == to ? facet : -1;
+    for (int i = first_[static_cast<std::size_t>(from) + 1] - 1; i >= first_[from]; --i)
+      if (edges_[i].to == to) return edges_[i].facet;
+    return -1;
   }
 
 private:
-  std::vector<std::array<int, 3>> edges_; // from, to, facet
+  struct Edge {
+    int to, facet;
+  };
+  std::vector<int> first_; // of each point's
+  std::vector<Edge> edges_;
 };
 
 } // namespace
@@ -41,7 +47,7 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
     lowest_ = {std::min(lowest_.x, p.x), std::min(lowest_.y, p.y), std::min(lowest_.z, p.z)};
     highest_ = {std::max(highest_.x, p.x), std::max(highest_.y, p.y), std::max(highest_.z, p.z)};
   }
-  const DirectedEdges edges(mesh_.triangles);
+  const DirectedEdges edges(mesh_);
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Triangle& corner = mesh_.triangles[t];
     const Facet& facet = tree_.facet(static_cast<int>(t));

@@ -1,6 +1,8 @@
 #include "mesh/surface_check.hpp"
+#include "mesh/bucket_sort.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 #include <tuple>
 
 namespace towform {
@@ -46,7 +48,7 @@ std::optional<SurfaceFault> find_duplicates(const SurfaceMesh& mesh)
     std::sort(t.begin(), t.end());
     keys.emplace_back(t, static_cast<int>(keys.size()));
   }
-  std::sort(keys.begin(), keys.end());
+  bucket_sort(keys, mesh.points.size(), [](const auto& k) { return k.first[0]; }, std::less{});
   std::optional<SurfaceFault> fault;
   for (std::size_t first = 0, k = 1; k < keys.size(); ++k) {
     if (keys[k].first != keys[first].first) {
@@ -59,9 +61,9 @@ std::optional<SurfaceFault> find_duplicates(const SurfaceMesh& mesh)
 }
 
 struct HalfEdge {
-  int low, high; // points
-  int facet;
-  bool rising; // the facet runs from low to high
+  int low = 0, high = 0; // points
+  int facet = 0;
+  bool rising = false; // the facet runs from low to high
 };
 
 std::vector<HalfEdge> sorted_edges(const SurfaceMesh& mesh)
@@ -76,9 +78,9 @@ std::vector<HalfEdge> sorted_edges(const SurfaceMesh& mesh)
       edges.push_back({std::min(a, b), std::max(a, b), f, a < b});
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    return std::tie(a.low, a.high, a.facet) < std::tie(b.low, b.high, b.facet);
-  });
+  bucket_sort(
+      edges, mesh.points.size(), [](const HalfEdge& e) { return e.low; },
+      [](const HalfEdge& a, const HalfEdge& b) { return std::tie(a.high, a.facet) < std::tie(b.high, b.facet); });
   return edges;
 }
 

@@ -23,23 +23,35 @@ Tool read_tool(const ToolParameters& p)
   return {p.name, ToolSurface(std::move(mesh)), p.friction, p.motion, p.force, unit_vector(axis), p.mass, p.damping};
 }
 
-/// Reads every tool; unreadable ones become issues.
-std::vector<Tool> read_tools(const Case& c, std::vector<InputIssue>& issues)
-{
-  std::vector<std::optional<Tool>> read(c.tools.size());
-  std::vector<std::exception_ptr> failed(c.tools.size());
-  parallel_each(static_cast<int>(read.size()), [&](int i) {
+/// What is made beside others, or why it could not be: an exception must not leave its thread.
+template <class T>
+struct Made {
+  std::optional<T> it;
+  std::exception_ptr failed;
+
+  template <class Make>
+  void make(const Make& its_make)
+  {
     try {
-      read[i] = read_tool(c.tools[i]);
+      it = its_make();
     } catch (...) {
-      failed[i] = std::current_exception(); // which must not leave its thread
+      failed = std::current_exception();
     }
-  });
+  }
+  T take()
+  {
+    if (failed) std::rethrow_exception(failed);
+    return std::move(*it);
+  }
+};
+
+/// The tools that could be read; the others become issues.
+std::vector<Tool> tools_from(std::vector<Made<Tool>>& read, const Case& c, std::vector<InputIssue>& issues)
+{
   std::vector<Tool> tools;
   for (std::size_t i = 0; i < read.size(); ++i) {
     try {
-      if (failed[i]) std::rethrow_exception(failed[i]);
-      tools.push_back(std::move(*read[i]));
+      tools.push_back(read[i].take());
     } catch (const FileError& e) {
       issues.push_back({c.where("tool[" + std::to_string(i) + "].mesh"), e.what(), ExitCode::files});
     }
@@ -242,12 +254,20 @@ StepLook look_at_step(const Model& model, const StepBound& bound, const State& s
 
 Model build_model(const Case& c)
 {
+  std::vector<Made<Tool>> read_tools(c.tools.size());
+  Made<Blank> meshed;
+  parallel_each(static_cast<int>(c.tools.size()) + 1, [&](int i) {
+    const auto number = static_cast<std::size_t>(i);
+    if (number < c.tools.size())
+      read_tools[number].make([&] { return read_tool(c.tools[number]); });
+    else
+      meshed.make([&] { return make_blank(c.blank); });
+  });
   std::vector<InputIssue> issues;
-  auto blank =
-      input(c, c.blank.mesh.empty() ? "blank" : "blank.mesh", issues, [&] { return make_blank(c.blank); });
+  auto blank = input(c, c.blank.mesh.empty() ? "blank" : "blank.mesh", issues, [&] { return meshed.take(); });
   auto material =
       input(c, "material", issues, [&] { return make_fabric_material(c.material, c.blank.thickness); });
-  std::vector<Tool> tools = read_tools(c, issues);
+  std::vector<Tool> tools = tools_from(read_tools, c, issues);
   if (blank && tools.size() == c.tools.size()) check_placement(c, *blank, tools, issues);
   std::vector<Boundary> boundaries;
   for (std::size_t i = 0; blank && i < c.boundaries.size(); ++i) {
