@@ -1,10 +1,8 @@
 #include "solver/measure.hpp"
-#include "parallel/parallel.hpp"
-#include "solver/percentile.hpp"
+#include "solver/field_tail.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 namespace towform {
 
@@ -37,22 +35,27 @@ DrawInGauge::DrawInGauge(const Blank& blank)
   if (!half_y) sides_y.push_back(low.y);
 
   const auto edges = free_edges(blank);
-  const auto towards = [&](double x, double y) { return last_crossing(edges, points, middle_, {x, y}); };
-  for (const double x : sides_x) x_mid_.push_back(towards(x, middle_.y));
-  for (const double y : sides_y) y_mid_.push_back(towards(middle_.x, y));
+  const std::vector<Vec3> start = blank.start_positions();
+  const auto towards = [&](double x, double y, double wx, double wy) -> Followed {
+    const OutlinePoint point = last_crossing(edges, points, middle_, {x, y});
+    return {point, distance(point.at(start), wx, wy)};
+  };
+  for (const double x : sides_x) x_mid_.push_back(towards(x, middle_.y, 1.0, 0.0));
+  for (const double y : sides_y) y_mid_.push_back(towards(middle_.x, y, 0.0, 1.0));
   for (const double x : sides_x)
-    for (const double y : sides_y) corner_.push_back(towards(x, y));
+    for (const double y : sides_y) corner_.push_back(towards(x, y, 1.0, 1.0));
 }
 
-DrawIn DrawInGauge::measure(const Blank& blank, const System& s) const
+double DrawInGauge::distance(const Vec3& p, double wx, double wy) const
 {
-  const std::vector<Vec3> start = blank.start_positions();
-  const auto mean = [&](const std::vector<OutlinePoint>& points, double wx, double wy) {
-    const auto distance = [&](const Vec3& p) {
-      return std::hypot(wx * (p.x - middle_.x), wy * (p.y - middle_.y));
-    };
+  return std::hypot(wx * (p.x - middle_.x), wy * (p.y - middle_.y));
+}
+
+DrawIn DrawInGauge::measure(const System& s) const
+{
+  const auto mean = [&](const std::vector<Followed>& points, double wx, double wy) {
     double sum = 0.0;
-    for (const OutlinePoint& p : points) sum += distance(p.at(start)) - distance(p.at(s.sheet.position));
+    for (const Followed& f : points) sum += f.at_start - distance(f.point.at(s.sheet.position), wx, wy);
     return sum / static_cast<double>(points.size());
   };
   return {mean(x_mid_, 1.0, 0.0), mean(y_mid_, 0.0, 1.0), mean(corner_, 1.0, 1.0)};
@@ -64,40 +67,21 @@ FieldExtremes field_extremes(const Membrane& membrane, const System& s)
   const std::size_t elements = s.sheet.shear_angle.size();
   const auto warp = [&](std::size_t e) { return s.sheet.strip_strain[strip[2 * e]]; };
   const auto weft = [&](std::size_t e) { return s.sheet.strip_strain[strip[2 * e + 1]]; };
-  const auto shear = [&](std::size_t e) { return std::abs(s.sheet.shear_angle[e]); };
-  const auto strain = [&](std::size_t e) { return std::max(std::abs(warp(e)), std::abs(weft(e))); };
-  const auto compression = [&](std::size_t e) { return std::max({0.0, -warp(e), -weft(e)}); };
-  const auto place_of_largest = [elements](const auto& value) {
-    std::size_t place = 0;
-    for (std::size_t e = 1; e < elements; ++e)
-      if (value(e) > value(place)) place = e;
-    return static_cast<int>(place);
-  };
-  const auto fraction_over = [elements](double limit, const auto& value) {
-    std::size_t over = 0;
-    for (std::size_t e = 0; e < elements; ++e) over += value(e) > limit ? 1 : 0;
-    return static_cast<double>(over) / static_cast<double>(elements);
-  };
-  FieldExtremes x;
-  const std::array<std::function<void()>, 3> of_fields{
-      [&] {
-        x.most_sheared = place_of_largest(shear);
-        x.shear_max = shear(static_cast<std::size_t>(x.most_sheared));
-        x.shear_p99 = percentile_99(elements, shear);
-      },
-      [&] {
-        x.most_strained = place_of_largest(strain);
-        x.strain_max = strain(static_cast<std::size_t>(x.most_strained));
-        x.strain_over_2_percent = fraction_over(0.02, strain);
-        x.strain_p99 = percentile_99(elements, strain);
-      },
-      [&] {
-        x.compression_max = compression(static_cast<std::size_t>(place_of_largest(compression)));
-        x.compression_over_half_percent = fraction_over(0.005, compression);
-        x.compression_p99 = percentile_99(elements, compression);
-      }};
-  parallel_each(static_cast<int>(of_fields.size()), [&](int i) { of_fields[i](); });
-  return x;
+  const FieldTail shear = field_tail(elements, 0.0, [&](std::size_t e) { return std::abs(s.sheet.shear_angle[e]); });
+  const FieldTail strain =
+      field_tail(elements, much_strain, [&](std::size_t e) { return std::max(std::abs(warp(e)), std::abs(weft(e))); });
+  const FieldTail compression =
+      field_tail(elements, much_compression, [&](std::size_t e) { return std::max({0.0, -warp(e), -weft(e)}); });
+  return {.shear_max = shear.largest,
+          .shear_p99 = shear.percentile_99,
+          .strain_max = strain.largest,
+          .strain_p99 = strain.percentile_99,
+          .strain_over_2_percent = strain.fraction_over,
+          .compression_max = compression.largest,
+          .compression_p99 = compression.percentile_99,
+          .compression_over_half_percent = compression.fraction_over,
+          .most_sheared = static_cast<int>(shear.place),
+          .most_strained = static_cast<int>(strain.place)};
 }
 
 } // namespace towform

@@ -22,12 +22,21 @@ struct DrawIn {
 class DrawInGauge {
 public:
   explicit DrawInGauge(const Blank& blank);
-  [[nodiscard]] DrawIn measure(const Blank& blank, const System& s) const;
+  [[nodiscard]] DrawIn measure(const System& s) const;
 
 private:
+  struct Followed {
+    OutlinePoint point;
+    double at_start; ///< its distance then [m]
+  };
+  /// From the middle in plan, x and y weighted [m].
+  [[nodiscard]] double distance(const Vec3& p, double wx, double wy) const;
   Vec2 middle_;
-  std::vector<OutlinePoint> x_mid_, y_mid_, corner_;
+  std::vector<Followed> x_mid_, y_mid_, corner_;
 };
+
+// What a yarn strain over is counted for:
+inline constexpr double much_strain = 0.02, much_compression = 0.005;
 
 /// Extremes over the elements.
 struct FieldExtremes {

@@ -62,7 +62,7 @@ void Recorder::measure(const System& s)
 {
   energies_ = energy_account(model_, s);
   extremes_ = field_extremes(model_.membrane, s);
-  draw_in_ = gauge_.measure(model_.blank, s);
+  draw_in_ = gauge_.measure(s);
   record_.summary.steps = s.sheet.step;
   record_.summary.simulated_time_s = s.sheet.time;
   record_.summary.energy_error = energies_.error();

@@ -85,7 +85,7 @@ DrawIn drawn(const Case& c, Vec2 middle)
   System s = start(model);
   for (Vec3& x : s.sheet.position)
     x = {middle.x + 0.9 * (x.x - middle.x), middle.y + 0.8 * (x.y - middle.y), x.z};
-  return DrawInGauge(model.blank).measure(model.blank, s);
+  return DrawInGauge(model.blank).measure(s);
 }
 
 TEST_F(ImportedBlankCase, DrawInIsThatOfTheOutline)
@@ -122,7 +122,7 @@ TEST_F(ImportedBlankCase, DrawInOfADiscIsTheSameAllRound)
   const Model model = build_model(with(disc));
   System s = start(model);
   for (Vec3& x : s.sheet.position) x *= 0.75;
-  const DrawIn d = DrawInGauge(model.blank).measure(model.blank, s);
+  const DrawIn d = DrawInGauge(model.blank).measure(s);
   EXPECT_NEAR(d.x_mid, 0.025, 1e-12);
   EXPECT_NEAR(d.y_mid, 0.025, 1e-12);
   EXPECT_NEAR(d.corner, 0.025, 1e-12);

@@ -1,8 +1,8 @@
 #include "element/bent.hpp"
 #include "solver/bare_sheet.hpp"
+#include "solver/field_tail.hpp"
 #include "solver/frame_fields.hpp"
 #include "solver/measure.hpp"
-#include "solver/percentile.hpp"
 #include "solver/press_case.hpp"
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace towform {
 namespace {
 
-TEST(Percentile, IsThatOfTheSortedValuesWhateverTheirOrder)
+TEST(FieldTail, HasThePercentileOfTheSortedValuesWhateverTheirOrder)
 {
   std::mt19937 random(11);
   std::exponential_distribution<double> skewed(1.0);
@@ -22,23 +22,34 @@ TEST(Percentile, IsThatOfTheSortedValuesWhateverTheirOrder)
     std::vector<double> sorted = values;
     std::sort(sorted.begin(), sorted.end());
     const double wanted = sorted[(count * 99) / 100];
-    EXPECT_EQ(percentile_99(values), wanted) << count;
-    EXPECT_EQ(percentile_99(sorted), wanted) << count;
+    EXPECT_EQ(field_tail(values).percentile_99, wanted) << count;
+    EXPECT_EQ(field_tail(sorted).percentile_99, wanted) << count;
     std::reverse(sorted.begin(), sorted.end());
-    EXPECT_EQ(percentile_99(sorted), wanted) << count;
+    EXPECT_EQ(field_tail(sorted).percentile_99, wanted) << count;
   }
 }
 
-TEST(Percentile, OfValuesThatRepeatOrThatASampleMisses)
+TEST(FieldTail, HasThatOfValuesThatRepeatOrThatASampleMisses)
 {
-  EXPECT_EQ(percentile_99(std::vector<double>(5000, 3.0)), 3.0);
+  EXPECT_EQ(field_tail(std::vector<double>(5000, 3.0)).percentile_99, 3.0);
   std::vector<double> few(5000, 0.0); // the highest are all where the sample looks, and nowhere else
   for (std::size_t i = 0; i < 5000; i += 16) few[i] = 1.0 + double(i);
   std::vector<double> sorted = few;
   std::sort(sorted.begin(), sorted.end());
-  EXPECT_EQ(percentile_99(few), sorted[4950]);
+  EXPECT_EQ(field_tail(few).percentile_99, sorted[4950]);
   for (std::size_t i = 0; i < 5000; ++i) few[i] = i % 16 == 0 && i < 640 ? 1.0 : 0.0; // fewer than one in a hundred
-  EXPECT_EQ(percentile_99(few), 0.0);
+  EXPECT_EQ(field_tail(few).percentile_99, 0.0);
+}
+
+TEST(FieldTail, HasTheFirstOfTheLargestAndCountsThoseOverALimit)
+{
+  std::vector<double> values(10000);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i % 100);
+  for (const std::size_t place : {std::size_t{5001}, std::size_t{9000}}) values[place] = 500.0;
+  const FieldTail tail = field_tail(values, 89.5);
+  EXPECT_EQ(tail.largest, 500.0);
+  EXPECT_EQ(tail.place, 5001U);
+  EXPECT_DOUBLE_EQ(tail.fraction_over, 0.1002);
 }
 
 TEST(FieldExtremes, CountCompressionApartFromTension)
