@@ -222,12 +222,22 @@ private:
   std::span<const double> mass_;
 };
 
+/// Some of a block's groups, ascending.
+struct Groups {
+  std::array<std::uint8_t, groups_a_block> number; // NOLINT(cppcoreguidelines-pro-type-member-init): as far as count
+  int count = 0;
+
+  void add(int group) { number[count++] = static_cast<std::uint8_t>(group); }
+  [[nodiscard]] const std::uint8_t* begin() const { return number.data(); }
+  [[nodiscard]] const std::uint8_t* end() const { return number.data() + count; }
+};
+
 /// Of some groups' nodes [m].
-double least_gap(const GapLanes& gaps, const std::uint8_t* groups, int count)
+double least_gap(const GapLanes& gaps, const Groups& groups)
 {
   double least = HUGE_VAL;
-  for (int k = 0; k < count; ++k) {
-    const double* const first = gaps.gap + groups[k] * NodeLanes::group;
+  for (const std::uint8_t g : groups) {
+    const double* const first = gaps.gap + g * NodeLanes::group;
     least = std::min(least, *std::min_element(first, first + NodeLanes::group));
   }
   return least;
@@ -253,27 +263,35 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
   if (look(nodes, lanes, m.law.shift, count, out.data()) > 0)
     for (int i = 0; i < count; ++i)
       if (out[i] != 0) search_for(i);
-  std::array<std::uint8_t, groups_a_block> groups;
-  int awake = 0, touched = 0;
-  for (int g = 0; g * NodeLanes::group < count; ++g) {
-    groups[awake] = static_cast<std::uint8_t>(g);
-    awake += lanes.near[g] | lanes.touching[g];
-    touched += lanes.touching[g];
-  }
   GapLanes gaps;
-  Touching touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
   // A plane tells nothing of a node that has come behind it.
-  if (touching.deep > 0) {
-    for (int g = 0; g < awake; ++g)
-      for (int i = groups[g] * NodeLanes::group; i < (groups[g] + 1) * NodeLanes::group; ++i)
+  const auto search_for_deep = [&](const Groups& groups) {
+    for (const std::uint8_t g : groups)
+      for (int i = g * NodeLanes::group; i < (g + 1) * NodeLanes::group; ++i)
         if (gaps.gap[i] < -m.law.half_thickness && out[i] == 0) search_for(i);
-    touching = measure(nodes, lanes, m.law, groups.data(), awake, gaps);
+  };
+  // Groups that touched a step ago are pressed anyway; of the others those that may touch are measured first.
+  Groups near, pressed;
+  for (int g = 0; g * NodeLanes::group < count; ++g)
+    if (lanes.near[g] != 0 && lanes.touching[g] == 0) near.add(g);
+  if (measure(nodes, lanes, m.law, near.begin(), near.count, gaps).deep > 0) {
+    search_for_deep(near);
+    measure(nodes, lanes, m.law, near.begin(), near.count, gaps);
   }
-  if (touching.all > 0 || touched > 0)
-    block.bring_motion();
-  else if (const double gap = least_gap(gaps, groups.data(), awake); gap > worth_a_rest * planes.moved)
-    quiet_until = planes.way + std::min(gap, least_room(nodes, lanes, m.law.shift, count));
-  return push(nodes, lanes, m.law, groups.data(), awake, gaps);
+  for (int g = 0; g * NodeLanes::group < count; ++g)
+    if (lanes.touching[g] != 0 || (lanes.near[g] != 0 && gaps.touch[g] != 0)) pressed.add(g);
+  if (pressed.count == 0) {
+    if (const double gap = least_gap(gaps, near); gap > worth_a_rest * planes.moved)
+      quiet_until = planes.way + std::min(gap, least_room(nodes, lanes, m.law.shift, count));
+    return {};
+  }
+  block.bring_motion();
+  PushLanes push;
+  if (press(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push).deep > 0) {
+    search_for_deep(pressed);
+    press(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push);
+  }
+  return rub(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push);
 }
 
 /// What the blocks tell of a tool, in their order.

@@ -82,11 +82,19 @@ double least_room(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shi
 
 namespace {
 constexpr int group = NodeLanes::group;
+
+/// How many of a group's gaps are below `least`.
+inline std::int64_t below(const double* gaps, double least)
+{
+  std::int64_t count = 0;
+  for (int k = 0; k < group; ++k) count += gaps[k] < least ? 1 : 0;
+  return count;
 }
+} // namespace
 
 TOWFORM_VECTOR_CLONES
 Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-            GapLanes& __restrict gaps)
+                 GapLanes& __restrict gaps)
 {
   const double* __restrict normal_x = c.normal_x;
   const double* __restrict normal_y = c.normal_y;
@@ -96,16 +104,13 @@ Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw
   std::int64_t all = 0, deep = 0;
   for (int number = 0; number < count; ++number) {
     const int g = groups[number], first = g * group;
-    std::int64_t touch = 0;
     for (int i = first; i < first + group; ++i) {
       const double px = nodes.x[i] - shift_x, py = nodes.y[i] - shift_y, pz = nodes.z[i] - shift_z;
-      const double gap = (normal_x[i] * px + normal_y[i] * py + normal_z[i] * pz - offset[i]) - half;
-      gaps.gap[i] = gap;
-      touch += gap < 0.0 ? 1 : 0;
-      deep += gap < -half ? 1 : 0;
+      gaps.gap[i] = (normal_x[i] * px + normal_y[i] * py + normal_z[i] * pz - offset[i]) - half;
     }
-    gaps.touch[g] = touch;
-    all += touch;
+    gaps.touch[g] = below(gaps.gap + first, 0.0);
+    all += gaps.touch[g];
+    deep += below(gaps.gap + first, -half);
   }
   return {static_cast<int>(all), static_cast<int>(deep)};
 }
@@ -120,17 +125,6 @@ struct SideBySide {
 
 double total(const double* v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
 
-/// What the two halves of the work on a block hand over.
-struct PushLanes {
-  using Lanes = NodeLanes::Lanes;
-  alignas(64) Lanes rx, ry, rz; ///< tangential stretch at which the node would stick [m]
-  alignas(64) Lanes tx, ty, tz; ///< tangential movement of the step [m]
-  alignas(64) Lanes hx, hy, hz; ///< what would hold it there [N]
-  alignas(64) Lanes pressed, opening;
-  alignas(64) Lanes stretch_squared, size_squared; ///< |r|^2, |h|^2
-  alignas(64) Lanes slips; ///< 1 where the spring alone passes the cone, else 0
-};
-
 /// Depth of a linear spring of the full stiffness that presses as much.
 inline double compressed(const ContactLaw& l, double depth)
 {
@@ -138,28 +132,34 @@ inline double compressed(const ContactLaw& l, double depth)
   return soft > stiff ? soft : stiff;
 }
 
-/// Normal force, and the tangential one as if the node stuck.
+} // namespace
+
 TOWFORM_VECTOR_CLONES
-void press_groups(const NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
-                  const std::uint8_t* __restrict groups, int count, const GapLanes& __restrict gaps, PushLanes& __restrict p)
+Touching press(const NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
+               const std::uint8_t* __restrict groups, int count, GapLanes& __restrict gaps, PushLanes& __restrict p)
 {
   const double* __restrict normal_x = c.normal_x;
   const double* __restrict normal_y = c.normal_y;
   const double* __restrict normal_z = c.normal_z;
+  const double* __restrict offset = c.offset;
   const double* __restrict stick_x = c.stick_x;
   const double* __restrict stick_y = c.stick_y;
   const double* __restrict stick_z = c.stick_z;
   const ContactLaw l = law;
+  std::int64_t all = 0, deep = 0;
   for (int number = 0; number < count; ++number) {
-    const int first = groups[number] * group;
+    const int g = groups[number], first = g * group;
     TOWFORM_INDEPENDENT
     for (int k = 0; k < group; ++k) {
       const int i = first + k;
       const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i];
+      const double px = nodes.x[i] - l.shift.x, py = nodes.y[i] - l.shift.y, pz = nodes.z[i] - l.shift.z;
+      const double gap = (nx * px + ny * py + nz * pz - offset[i]) - l.half_thickness;
+      gaps.gap[i] = gap;
       const double vx = nodes.vx[i] - l.velocity.x, vy = nodes.vy[i] - l.velocity.y, vz = nodes.vz[i] - l.velocity.z;
       const double stiffness = l.stiffness_per_mass * nodes.mass[i], damping = l.damping_per_mass * nodes.mass[i];
       const double opening = vx * nx + vy * ny + vz * nz;
-      const double wanted = stiffness * compressed(l, -gaps.gap[i]) - damping * opening;
+      const double wanted = stiffness * compressed(l, -gap) - damping * opening;
       const double pressed = wanted > 0.0 ? wanted : 0.0;
       const double tx = l.dt * (vx - opening * nx), ty = l.dt * (vy - opening * ny), tz = l.dt * (vz - opening * nz);
       const double lift = stick_x[i] * nx + stick_y[i] * ny + stick_z[i] * nz;
@@ -185,8 +185,14 @@ void press_groups(const NodeLanes& __restrict nodes, const ContactLanes& c, cons
       p.size_squared[i] = hx * hx + hy * hy + hz * hz; // slipping, that of the spring alone
       p.slips[i] = slips ? 1.0 : 0.0;
     }
+    gaps.touch[g] = below(gaps.gap + first, 0.0);
+    all += gaps.touch[g];
+    deep += below(gaps.gap + first, -l.half_thickness);
   }
+  return {static_cast<int>(all), static_cast<int>(deep)};
 }
+
+namespace {
 
 /// Lets it slip back to the cone.
 TOWFORM_VECTOR_CLONES
@@ -251,32 +257,14 @@ void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Contac
   sums = s;
 }
 
-/// Of some groups those that touch, or did a step ago.
-int those_that_touch(const ContactLanes& c, const std::uint8_t* groups, int count, const GapLanes& gaps, std::uint8_t* touching)
-{
-  int touch = 0;
-  for (int number = 0; number < count; ++number) {
-    const int g = groups[number];
-    const std::uint8_t now = gaps.touch[g] != 0 ? 1 : 0;
-    touching[touch] = groups[number];
-    touch += now | c.touching[g];
-    c.touching[g] = now;
-  }
-  return touch;
-}
-
 } // namespace
 
-ContactSums push(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-                 const GapLanes& gaps)
+ContactSums rub(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+                const GapLanes& gaps, const PushLanes& p)
 {
-  std::array<std::uint8_t, NodeLanes::size / group> touching;
-  const int touch = those_that_touch(c, groups, count, gaps, touching.data());
-  if (touch == 0) return {};
-  PushLanes p;
   SideBySide s;
-  press_groups(nodes, c, law, touching.data(), touch, gaps, p);
-  rub_groups(nodes, c, law, touching.data(), touch, gaps, p, s);
+  rub_groups(nodes, c, law, groups, count, gaps, p, s);
+  for (int number = 0; number < count; ++number) c.touching[groups[number]] = gaps.touch[groups[number]] != 0 ? 1 : 0;
   return {{total(s.fx), total(s.fy), total(s.fz)},
           total(s.elastic),
           total(s.damped),

@@ -61,17 +61,32 @@ struct GapLanes {
 };
 /// How many nodes touch the tool, and how many are so deep that they may be behind their plane.
 struct Touching {
-  int all, deep;
+  int all = 0, deep = 0;
 };
 /// Measures the gaps of `groups`, `count` of them.
 Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-            GapLanes& gaps);
+                 GapLanes& gaps);
 
-/// Normal force of a spring, softer at first touch (Contact), and damping, never pulling; Coulomb friction by stick-slip return
-/// mapping: a step's tangential movement stretches the spring k_t = `stick_ratio` k and lets it slip back to the cone of
-/// `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force. `groups` of the block
-/// that may touch the tool or did so before, `count` of them.
-ContactSums push(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-                 const GapLanes& gaps);
+/// What press hands over to rub.
+struct PushLanes {
+  using Lanes = NodeLanes::Lanes;
+  alignas(64) Lanes rx, ry, rz; ///< tangential stretch at which the node would stick [m]
+  alignas(64) Lanes tx, ty, tz; ///< tangential movement of the step [m]
+  alignas(64) Lanes hx, hy, hz; ///< what would hold it there [N]
+  alignas(64) Lanes pressed, opening;
+  alignas(64) Lanes stretch_squared, size_squared; ///< |r|^2, |h|^2
+  alignas(64) Lanes slips; ///< 1 where the spring alone passes the cone, else 0
+};
+
+/// Measures the gaps of `groups`, `count` of them; normal force of a spring, softer at first touch (Contact), and damping, never
+/// pulling; the tangential one as if the node stuck.
+Touching press(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+               GapLanes& gaps, PushLanes& p);
+
+/// Coulomb friction by stick-slip return mapping: a step's tangential movement stretches the spring k_t = `stick_ratio` k and lets
+/// it slip back to the cone of `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force.
+/// `groups` that were pressed.
+ContactSums rub(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+                const GapLanes& gaps, const PushLanes& p);
 
 } // namespace towform
