@@ -47,7 +47,7 @@ struct BoundaryParameters {
 struct TimeParameters {
   double end = 0.0;           ///< [s]
   double safety = 0.85;       ///< step over the stable step
-  double lumping = 0.2;       ///< share of the sheet's mass that is put where yarns hold nodes stiffly
+  double lumping = 0.0;       ///< share of the sheet's mass that is put where yarns hold nodes stiffly
   double mass_scaling = 1.0;  ///< uniform factor on the sheet's mass
   std::optional<double> step; ///< wanted step [s]: only elements that need it are made heavier
   double mass_damping = 0.0;  ///< force -a m v on every node [1/s]
@@ -66,7 +66,7 @@ struct LoadParameters {
 };
 
 struct ContactParameters {
-  double penalty = 0.3;    ///< beta of the penalty stiffness beta m / dt^2
+  double penalty = 0.3;    ///< beta of the penalty stiffness beta m / dt^2, dt the step with masses in thirds
   double soft = 1.0;       ///< stiffness at first touch over that
   double soft_depth = 0.0; ///< how deep it is, over the sheet's thickness
   double damping = 0.0;    ///< fraction of critical, normal to the tool

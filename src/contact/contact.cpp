@@ -8,9 +8,9 @@
 
 namespace towform {
 
-Contact::Contact(const Tool& its_tool, int number, double half, double beta, double zeta, double dt)
-    : tool(number), half_thickness(half), stiffness_per_mass(beta / (dt * dt)),
-      damping_per_mass(2.0 * zeta * std::sqrt(beta) / dt),
+Contact::Contact(const Tool& its_tool, int number, double half, double beta, double zeta, double mass_per_area, double dt)
+    : tool(number), half_thickness(half), stiffness_per_area(beta * mass_per_area / (dt * dt)),
+      damping_per_area(2.0 * zeta * std::sqrt(beta) * mass_per_area / dt),
       // Facets within three half thicknesses serve nodes that touch; longer lists cost more than searching for the others.
       neighbours(std::make_unique<const FacetNeighbours>(its_tool.surface, 3.0 * half))
 {
@@ -180,8 +180,8 @@ void search(const Meeting& m, const Vec3& p, int node)
 /// A block of nodes, brought near as far as it is needed.
 class NodeBlock {
 public:
-  NodeBlock(State& s, std::span<const double> mass, int first_node)
-      : first(first_node), count(std::min(block_size, static_cast<int>(s.position.size()) - first)), s_(s), mass_(mass)
+  NodeBlock(State& s, std::span<const double> area, int first_node)
+      : first(first_node), count(std::min(block_size, static_cast<int>(s.position.size()) - first)), s_(s), area_(area)
   {
   }
   void bring_places()
@@ -191,15 +191,15 @@ public:
     split(s_.position.data() + first, count, lanes.x, lanes.y, lanes.z);
     fill_up({lanes.x, lanes.y, lanes.z});
   }
-  /// Velocities and masses, and forces that begin at nothing.
+  /// Velocities and areas, and forces that begin at nothing.
   void bring_motion()
   {
     if (moving_) return;
     moving_ = true;
     split(s_.velocity.data() + first, count, lanes.vx, lanes.vy, lanes.vz);
-    std::copy_n(mass_.data() + first, count, lanes.mass);
+    std::copy_n(area_.data() + first, count, lanes.area);
     for (double* force : {lanes.fx, lanes.fy, lanes.fz}) std::fill_n(force, count, 0.0);
-    fill_up({lanes.vx, lanes.vy, lanes.vz, lanes.mass, lanes.fx, lanes.fy, lanes.fz});
+    fill_up({lanes.vx, lanes.vy, lanes.vz, lanes.area, lanes.fx, lanes.fy, lanes.fz});
   }
   void give_forces()
   {
@@ -219,7 +219,7 @@ private:
 
   bool placed_ = false, moving_ = false;
   State& s_;
-  std::span<const double> mass_;
+  std::span<const double> area_;
 };
 
 /// Some of a block's groups, ascending.
@@ -347,7 +347,7 @@ std::optional<double> distance_from_plane(const ContactPlanes& planes, std::size
 }
 
 void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
-                    std::span<ContactState> states, std::span<const double> mass, State& s, double dt, double moved)
+                    std::span<ContactState> states, std::span<const double> area, State& s, double dt, double moved)
 {
   if (contacts.empty()) return;
   const int nodes = static_cast<int>(s.position.size());
@@ -363,12 +363,12 @@ void contact_forces(std::span<const Contact> contacts, std::span<const Tool> too
     planes.shift = t.displacement;
     meetings.push_back({contact, tool, states[i],
                         {t.displacement * tool.direction, t.velocity * tool.direction, tool.direction, contact.half_thickness,
-                         contact.stiffness_per_mass, contact.soft, contact.soft_depth, contact.damping_per_mass,
+                         contact.stiffness_per_area, contact.soft, contact.soft_depth, contact.damping_per_area,
                          contact.stick_ratio, tool.friction, dt}});
   }
   std::vector<ContactSums> sums(contacts.size() * static_cast<std::size_t>(blocks));
   parallel_each(blocks, [&](int block) {
-    NodeBlock its_nodes(s, mass, block * block_size);
+    NodeBlock its_nodes(s, area, block * block_size);
     for (std::size_t i = 0; i < meetings.size(); ++i)
       sums[i * static_cast<std::size_t>(blocks) + block] = meet(meetings[i], its_nodes);
     its_nodes.give_forces();

@@ -14,20 +14,22 @@ namespace towform {
 /// tool is nearer than half the sheet's thickness, on either face. Normal force of a spring and damping, never pulling: the
 /// spring has the part `soft` of its stiffness k down to a small depth, so that nodes that graze a tool do not bounce off it;
 /// Coulomb friction through a tangential spring k_t with return mapping, so that a resting sheet does not
-/// creep. Stiffness and damping are in proportion to a node's mass m: k = beta m / dt^2, c = 2 zeta sqrt(k m).
+/// creep. Stiffness and damping are in proportion to a node's part of the sheet, with m its mass were that spread evenly:
+/// k = beta m / dt^2, c = 2 zeta sqrt(k m).
 struct Contact {
   int tool = 0;
   double half_thickness = 0.0;     ///< [m]
-  double stiffness_per_mass = 0.0; ///< beta / dt^2 [1/s^2]
+  double stiffness_per_area = 0.0; ///< [N/m^3]
   double soft = 1.0;               ///< stiffness at first touch over k; 1: a linear spring
   double soft_depth = 0.0;         ///< [m]
-  double damping_per_mass = 0.0;   ///< of the normal motion [1/s]
+  double damping_per_area = 0.0;   ///< of the normal motion [N s/m^3]
   double stick_ratio = 1.0;        ///< stiffness and, while sticking, damping along the tool over those normal to it
   std::unique_ptr<const FacetNeighbours> neighbours;
 
   Contact() = default;
-  /// With `tool` number `number`, which must stay where it is. `beta` and `zeta` [-] at steps of dt [s].
-  Contact(const Tool& tool, int number, double half_thickness, double beta, double zeta, double dt);
+  /// With `tool` number `number`, which must stay where it is. `beta` and `zeta` [-] at steps of dt [s] of a sheet of
+  /// `mass_per_area` [kg/m^2].
+  Contact(const Tool& tool, int number, double half_thickness, double beta, double zeta, double mass_per_area, double dt);
 };
 
 /// Energies of contact with a tool. Elastic at t_n; the others since the start [J].
@@ -77,9 +79,9 @@ void start(const Contact& contact, std::size_t nodes, ContactState& c);
 /// Signed distance from the tool of a node at p [tool's frame] [m], where the plane that the last search found still tells it.
 [[nodiscard]] std::optional<double> distance_from_plane(const ContactPlanes& planes, std::size_t node, const Vec3& p);
 
-/// Adds the contact forces at x_n to s.force and sets the tools' reactions. `mass` of each node [kg]; `moved` bounds how far a
+/// Adds the contact forces at x_n to s.force and sets the tools' reactions. `area` of each node's part of the sheet [m^2]; `moved` bounds how far a
 /// node has moved since the forces were last computed [m].
 void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
-                    std::span<ContactState> states, std::span<const double> mass, State& s, double dt, double moved);
+                    std::span<ContactState> states, std::span<const double> area, State& s, double dt, double moved);
 
 } // namespace towform

@@ -157,7 +157,7 @@ Touching press(const NodeLanes& __restrict nodes, const ContactLanes& c, const C
       const double gap = (nx * px + ny * py + nz * pz - offset[i]) - l.half_thickness;
       gaps.gap[i] = gap;
       const double vx = nodes.vx[i] - l.velocity.x, vy = nodes.vy[i] - l.velocity.y, vz = nodes.vz[i] - l.velocity.z;
-      const double stiffness = l.stiffness_per_mass * nodes.mass[i], damping = l.damping_per_mass * nodes.mass[i];
+      const double stiffness = l.stiffness_per_area * nodes.area[i], damping = l.damping_per_area * nodes.area[i];
       const double opening = vx * nx + vy * ny + vz * nz;
       const double wanted = stiffness * compressed(l, -gap) - damping * opening;
       const double pressed = wanted > 0.0 ? wanted : 0.0;
@@ -168,7 +168,7 @@ Touching press(const NodeLanes& __restrict nodes, const ContactLanes& c, const C
       const double spring = l.stick_ratio * stiffness, limit = l.friction * pressed;
       const double stretch_squared = rx * rx + ry * ry + rz * rz;
       const bool slips = spring * spring * stretch_squared > limit * limit;
-      const double dashpot = slips ? 0.0 : l.stick_ratio * l.damping_per_mass / l.dt * nodes.mass[i];
+      const double dashpot = slips ? 0.0 : l.stick_ratio * l.damping_per_area / l.dt * nodes.area[i];
       const double hx = spring * rx + dashpot * tx, hy = spring * ry + dashpot * ty, hz = spring * rz + dashpot * tz;
       p.rx[i] = rx;
       p.ry[i] = ry;
@@ -216,7 +216,7 @@ void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Contac
       const int i = first + k;
       const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i], gap = gaps.gap[i], pressed = p.pressed[i];
       const double was_pressed = normal_force[i];
-      const double stiffness = l.stiffness_per_mass * nodes.mass[i], spring = l.stick_ratio * stiffness;
+      const double stiffness = l.stiffness_per_area * nodes.area[i], spring = l.stick_ratio * stiffness;
       const double limit = l.friction * pressed, size_squared = p.size_squared[i];
       const bool slips = p.slips[i] > 0.0, cut = size_squared > limit * limit;
       const double share = cut ? limit / std::sqrt(cut ? size_squared : 1.0) : 1.0;

@@ -14,7 +14,7 @@ struct NodeLanes {
   alignas(64) Lanes x, y, z;    ///< [m]
   // Where a tool touches the block:
   alignas(64) Lanes vx, vy, vz; ///< [m/s]
-  alignas(64) Lanes mass;       ///< [kg]
+  alignas(64) Lanes area;       ///< of the sheet [m^2]
   alignas(64) Lanes fx, fy, fz; ///< sum of the tools' forces [N]
 };
 
@@ -33,7 +33,7 @@ struct ContactLanes {
 /// What a tool does to all nodes of a block alike.
 struct ContactLaw {
   Vec3 shift, velocity, direction; ///< of the tool
-  double half_thickness, stiffness_per_mass, soft, soft_depth, damping_per_mass, stick_ratio, friction, dt;
+  double half_thickness, stiffness_per_area, soft, soft_depth, damping_per_area, stick_ratio, friction, dt;
 };
 
 /// Sums over a block: the force on the sheet, energies of the step.

@@ -57,7 +57,7 @@ std::vector<Vec3> node_normals(std::span<const Triangle> triangles, std::span<co
 } // namespace
 
 StepLimit::StepLimit(const Blank& blank, const Membrane& membrane, std::span<const double> mass, double shear_modulus,
-                     std::span<const Bending> bending, NodeSprings springs)
+                     std::span<const Bending> bending, const ToolSprings& springs)
     : blank_(blank), membrane_(membrane), bending_(bending), shear_modulus_(shear_modulus), springs_(springs)
 {
   for (const double m : mass) over_root_mass_.push_back(1.0 / std::sqrt(m));
@@ -72,7 +72,8 @@ void StepLimit::hold_on_mirrors(std::span<Vec3> v) const
 
 double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<const Vec3> normals, double dt) const
 {
-  const double along = springs_.along / (dt * dt), more = (springs_.normal - springs_.along) / (dt * dt);
+  const double along = springs_.along + 2.0 * springs_.along_damping / dt;
+  const double more = springs_.normal + 2.0 * springs_.normal_damping / dt - along;
   const std::size_t nodes = over_root_mass_.size();
   std::vector<Vec3> now = random_signs(nodes); // displacements
   for (std::size_t n = 0; n < nodes; ++n) now[n] *= 1.0 / over_root_mass_[n];
@@ -86,8 +87,10 @@ double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<
     for (std::size_t n = 0; n < nodes; ++n) motion[n] = over_root_mass_[n] * now[n];
     linear_forces(sheet, motion, work);
     std::vector<Vec3>& next = work.force;
-    for (std::size_t n = 0; n < nodes; ++n)
-      next[n] = along * now[n] + more * dot(normals[n], now[n]) * normals[n] - over_root_mass_[n] * next[n];
+    for (std::size_t n = 0; n < nodes; ++n) {
+      const Vec3 springs = along * now[n] + more * dot(normals[n], now[n]) * normals[n];
+      next[n] = membrane_.node_area[n] * over_root_mass_[n] * over_root_mass_[n] * springs - over_root_mass_[n] * next[n];
+    }
     hold_on_mirrors(next);
     diagonal.push_back(product(now, next));
     const double back = beside.empty() ? 0.0 : beside.back();
@@ -119,7 +122,7 @@ double StepLimit::at(std::span<const Vec3> position, double near) const
     sheet.yarn_factor = 1.0 + 2.0 * membrane_.damping_time / limit;
     sheet.bending_factor = 1.0 + 2.0 * bending_damping_time_ / limit;
     limit = 2.0 / std::sqrt(largest_frequency_squared(sheet, normals, limit));
-    if (membrane_.damping_time == 0.0 && bending_damping_time_ == 0.0 && springs_.normal == 0.0) break;
+    if (membrane_.damping_time == 0.0 && bending_damping_time_ == 0.0 && springs_.normal_damping == 0.0) break;
   }
   return limit;
 }

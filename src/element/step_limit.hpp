@@ -4,23 +4,23 @@
 
 namespace towform {
 
-/// What tools add to the stiffness of every node that they touch, over node mass / step^2, dashpots as they act in a step.
-struct NodeSprings {
-  double normal = 0.0; ///< square to the sheet
-  double along = 0.0;  ///< in the sheet
+/// What tools add to a sheet that they touch, per area of it.
+struct ToolSprings {
+  double normal = 0.0, normal_damping = 0.0; ///< square to the sheet [N/m^3, N s/m^3]
+  double along = 0.0, along_damping = 0.0;   ///< in it
 };
 
 /// The true limit of the time step of central differences on a sheet, measured, as if tools touched every node of it: Lanczos'
 /// method finds the largest eigenvalue of M^-1 K from a start of random signs, and what is left of it when the search ends is added
 /// to it, so that the result is on the safe side of the eigenvalue (Zhou and Li, Linear Algebra Appl. 435 (2011) 480-493). K is
 /// LinearSheet's; nodes stay on their mirror planes. The tools' springs stand square to the sheet and along it. Damping in proportion
-/// to stiffness, C = tau K, acts in a step dt like a stiffness 2 C / dt: the limit is the root of
-/// dt^2 omega^2(K + 2 C / dt + springs m / dt^2) = 4.
+/// to stiffness, C = tau K, acts in a step dt like a stiffness 2 C / dt, as do the tools' dashpots: the limit is the root of
+/// dt^2 omega^2(K + 2 C / dt) = 4.
 class StepLimit {
 public:
   /// `mass` of each node [kg]; `shear_modulus` bounds dN/dtheta [N/m]. All must outlive this.
   StepLimit(const Blank& blank, const Membrane& membrane, std::span<const double> mass, double shear_modulus,
-            std::span<const Bending> bending = {}, NodeSprings springs = {});
+            std::span<const Bending> bending = {}, const ToolSprings& springs = {});
 
   /// The limit at a shape [s]; `near` is one that it is expected near to, the step whose damping and springs are counted first.
   [[nodiscard]] double at(std::span<const Vec3> position, double near) const;
@@ -33,7 +33,7 @@ private:
   const Membrane& membrane_;
   std::span<const Bending> bending_;
   double shear_modulus_;
-  NodeSprings springs_;
+  ToolSprings springs_;
   double bending_damping_time_ = 0.0;
   std::vector<double> over_root_mass_; // n
 };

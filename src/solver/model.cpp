@@ -100,14 +100,47 @@ void set_damping(const MaterialParameters& material, std::span<const Vec3> flat,
     bending.damping_time = material.bending_damping * 2.0 / fastest_bending(bending, model.mass);
 }
 
-/// Looks at the flat sheet's stable step and makes elements heavier until it is `wanted` [s] (0: as it is). Heavier elements change what their
-/// neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
-void scale_masses(double wanted, const State& flat, std::span<const double> lumping, Model& model)
+/// A wave's time over an element: unlike the bound, the same for a quarter as for the whole.
+double wave_step(const Model& model)
 {
+  const double lightest = *std::min_element(model.element_mass.begin(), model.element_mass.end());
+  return std::sqrt(2.0 * lightest / model.membrane.yarn.stiffness);
+}
+
+/// Contact with the stiffness that it has at the step of a sheet whose masses lie in thirds: that they lie otherwise for longer
+/// steps makes it no softer.
+void set_contacts(const Case& c, Model& model)
+{
+  if (model.tools.empty()) return;
+  const Membrane& membrane = model.membrane;
+  const std::vector<double> thirds = lumped(membrane, model.element_mass, std::vector<double>(membrane.node_area.size(), 1.0));
+  const StepLimit limit(model.blank, membrane, thirds, model.shear_modulus, model.bending);
+  const double step = model.safety * limit.at(model.blank.mesh.points, wave_step(model));
+  const double mass_per_area = c.material.constituents.density * c.blank.thickness * c.time.mass_scaling;
+  model.contacts.clear();
+  for (std::size_t i = 0; i < model.tools.size(); ++i) {
+    model.contacts.emplace_back(model.tools[i], static_cast<int>(i), 0.5 * c.blank.thickness, c.contact.penalty,
+                                c.contact.damping, mass_per_area, step);
+    Contact& contact = model.contacts.back();
+    contact.stick_ratio = c.contact.stick;
+    contact.soft = c.contact.soft;
+    contact.soft_depth = c.contact.soft_depth * c.blank.thickness;
+  }
+  const Contact& one = model.contacts.front();
+  model.tool_springs = {2.0 * one.stiffness_per_area, 2.0 * one.damping_per_area,
+                        2.0 * c.contact.stick * one.stiffness_per_area, 2.0 * c.contact.stick * one.damping_per_area};
+}
+
+/// Sets contact, looks at the flat sheet's stable step and makes elements heavier until it is the one that is wanted. Heavier elements change what their
+/// neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
+void scale_masses(const Case& c, const State& flat, std::span<const double> lumping, Model& model)
+{
+  const double wanted = c.time.step.value_or(0.0) / model.safety;
   constexpr int most_rounds = 20;
   constexpr double aim = 1.001;
   for (int round = 0; round < most_rounds; ++round) {
     const StepBound bound(model.membrane, {model.element_mass, model.mass}, model.shear_modulus, model.bending);
+    set_contacts(c, model);
     model.first_look = look_at_step(model, bound, flat);
     if (model.first_look.step >= wanted) return;
     const auto factors = bound.mass_factors(flat, aim * wanted / model.first_look.over_bound());
@@ -151,12 +184,8 @@ void set_inertia(const Case& c, Model& model)
   const std::vector<double> lumping = find_lumping(c, model.element_mass, model);
   model.mass = lumped(membrane, model.element_mass, lumping);
   model.safety = c.time.safety;
-  if (!model.tools.empty()) {
-    model.tool_springs = {c.contact.two_tools(), c.contact.stick * c.contact.two_tools()};
-    model.contact_room = c.contact.room();
-  }
   set_damping(c.material, sheet.position, model);
-  scale_masses(c.time.step.value_or(0.0) / model.safety, sheet, lumping, model);
+  scale_masses(c, sheet, lumping, model);
   model.added_mass_fraction = std::max( // not less than none in the last digit
       0.0, std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0);
   double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
@@ -166,15 +195,6 @@ void set_inertia(const Case& c, Model& model)
   model.first_step = model.safety * model.first_look.step;
   if (c.time.subcycling)
     for (Bending& bending : model.bending) bending.interval = bending_interval(bending, model);
-
-  for (std::size_t i = 0; i < model.tools.size(); ++i) {
-    model.contacts.emplace_back(model.tools[i], static_cast<int>(i), 0.5 * c.blank.thickness, c.contact.penalty,
-                                c.contact.damping, model.first_step);
-    Contact& contact = model.contacts.back();
-    contact.stick_ratio = c.contact.stick;
-    contact.soft = c.contact.soft;
-    contact.soft_depth = c.contact.soft_depth * c.blank.thickness;
-  }
 }
 
 /// The spring that holds a triangle's yarn strain to its strip's [N/m]: of the order of what shears the
@@ -243,13 +263,8 @@ double mirror_factor(Symmetry symmetry)
 
 StepLook look_at_step(const Model& model, const StepBound& bound, const State& s)
 {
-  const StableStep guaranteed = bound.at(s);
   const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
-  const double lightest = *std::min_element(model.element_mass.begin(), model.element_mass.end());
-  // A wave's time over an element: unlike the bound, the same for a quarter as for the whole.
-  const double near = std::sqrt(2.0 * lightest / model.membrane.yarn.stiffness);
-  const double sure = std::sqrt(model.contact_room) * guaranteed.step, measured = limit.at(s.position, near);
-  return {measured > sure ? measured : sure, guaranteed.step};
+  return {limit.at(s.position, wave_step(model)), bound.at(s).step};
 }
 
 Model build_model(const Case& c)

@@ -35,8 +35,7 @@ struct Model {
   double mass_damping = 0.0;        ///< [1/s]
   double shear_modulus = 0.0;       ///< bound of dN/dtheta, for the stable step [N/m]
   double safety = 1.0;              ///< step over the stable step
-  NodeSprings tool_springs;         ///< of the two tools that may touch a node
-  double contact_room = 1.0;        ///< the part of the sheet's guaranteed step that leaves room for them, squared
+  ToolSprings tool_springs;         ///< of the two tools that may touch a node
   StepLook first_look;              ///< of the flat sheet
   double first_step = 0.0;          ///< [s]; later steps are never longer
   double temperature = 0.0;         ///< of the sheet [K]

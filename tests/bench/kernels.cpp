@@ -90,14 +90,14 @@ void contact(benchmark::State& run)
   set_threads(1);
   constexpr double dt = 5e-6, radius = 0.075, half = 0.5e-3;
   const Tool ball{"ball", ToolSurface(test::sphere(radius, 71)), 0.3, {}, {}, {0, 0, 1}, 0.0};
-  const Contact pressed(ball, 0, half, 0.1, 0.3, dt);
+  const Contact pressed(ball, 0, half, 0.1, 0.3, 1.0, dt);
   const Blank blank = test::blank(Pattern::diagonal, 0.0, 0.0, 20000);
   const std::size_t nodes = blank.mesh.points.size();
   State s;
   s.position.resize(nodes);
   s.velocity.assign(nodes, {0.5, 0.0, 0.0});
   s.force.assign(nodes, {});
-  const std::vector<double> mass(nodes, 1e-5);
+  const std::vector<double> area(nodes, 1e-5);
   ToolState tool_state;
   ContactState state;
   start(pressed, nodes, state);
@@ -112,7 +112,7 @@ void contact(benchmark::State& run)
     }
   };
   const auto meet = [&] {
-    contact_forces({&pressed, 1}, {&ball, 1}, {&tool_state, 1}, {&state, 1}, mass, s, dt, 0.51 * dt);
+    contact_forces({&pressed, 1}, {&ball, 1}, {&tool_state, 1}, {&state, 1}, area, s, dt, 0.51 * dt);
     benchmark::DoNotOptimize(s.force.data());
   };
   slide();

@@ -7,7 +7,7 @@
 namespace towform {
 namespace {
 
-constexpr double dt = 1e-5, mass = 1e-3, half = 0.5e-3;
+constexpr double dt = 1e-5, mass = 1e-3, half = 0.5e-3, mass_per_area = 1.5, area = mass / mass_per_area;
 
 /// One node of a sheet against one tool, under a body force.
 struct Block {
@@ -21,7 +21,7 @@ struct Block {
 
   Block(SurfaceMesh mesh, double friction, double damping, const Vec3& at)
       : tool{"tool", ToolSurface(std::move(mesh)), friction, {}, {}, {0, 0, 1}, 0.0},
-        contact(tool, 0, half, 0.1, damping, dt)
+        contact(tool, 0, half, 0.1, damping, mass_per_area, dt)
   {
     s.position = {at};
     s.velocity = {{}};
@@ -37,9 +37,9 @@ struct Block {
     s.position[0] += dt * s.velocity[0];
     work += dot(weight, s.position[0] - before);
     s.force[0] = {};
-    test::contact_forces(contact, tool, tool_state, contact_state, mass, s, dt);
+    test::contact_forces(contact, tool, tool_state, contact_state, area, s, dt);
   }
-  [[nodiscard]] double stiffness() const { return contact.stiffness_per_mass * mass; }
+  [[nodiscard]] double stiffness() const { return contact.stiffness_per_area * area; }
   [[nodiscard]] double energy() const
   {
     const ContactEnergies& e = contact_state.energies;
@@ -145,7 +145,7 @@ TEST(Contact, RemembersNothingThatASearchWouldNotFind)
     for (Block* block : {&wanderer, &newcomer}) {
       block->s.position[0] = at;
       block->s.force[0] = {};
-      test::contact_forces(block->contact, block->tool, block->tool_state, block->contact_state, mass, block->s, dt);
+      test::contact_forces(block->contact, block->tool, block->tool_state, block->contact_state, area, block->s, dt);
     }
     deep += newcomer.contact_state.penetration > half ? 1 : 0;
     ASSERT_EQ(wanderer.s.force[0], newcomer.s.force[0]) << i;
@@ -210,7 +210,7 @@ TEST(Contact, TheSearchMemoryNeverChangesTheForces)
   // A node wandering round a sphere: remembered facets against a fresh search at every step.
   Tool tool{"ball", ToolSurface(test::sphere(0.05, 16)), 0.0, {}, {}, {0, 0, 1}, 0.0};
   ToolState moving, fresh_tool;
-  const Contact contact(tool, 0, half, 0.1, 0.0, dt);
+  const Contact contact(tool, 0, half, 0.1, 0.0, mass_per_area, dt);
   State s;
   s.velocity = {{}};
   ContactState remembered;
@@ -223,12 +223,12 @@ TEST(Contact, TheSearchMemoryNeverChangesTheForces)
                             std::sin(0.1 * turn)};
     s.position = {x};
     s.force = {{}};
-    test::contact_forces(contact, tool, moving, remembered, mass, s, dt);
+    test::contact_forces(contact, tool, moving, remembered, area, s, dt);
     const Vec3 force = s.force[0];
     ContactState fresh;
     start(contact, 1, fresh);
     s.force = {{}};
-    test::contact_forces(contact, tool, fresh_tool, fresh, mass, s, dt);
+    test::contact_forces(contact, tool, fresh_tool, fresh, area, s, dt);
     ASSERT_EQ(force, s.force[0]) << "step " << i;
     if (norm(force) > 0.0) ++touching;
   }
@@ -241,7 +241,7 @@ TEST(Contact, NodesThatWereAwayAreFoundAgainWhenTheyOrTheToolHaveComeNear)
   // Six nodes that fall on a ball from different heights, slide on it and rise again, the ball beating time: once with what they
   // moved known, once looking at all of them at every step.
   Tool tool{"ball", ToolSurface(test::sphere(0.05, 16)), 0.0, {}, {}, {0, 0, 1}, 0.0};
-  const Contact contact(tool, 0, half, 0.1, 0.0, dt);
+  const Contact contact(tool, 0, half, 0.1, 0.0, mass_per_area, dt);
   constexpr int nodes = 6, steps = 20000;
   const auto height = [](int n, int i) { return 0.051 + 0.004 * n + (0.006 + 0.004 * n) * std::cos(2e-4 * (1 + n) * i); };
   ToolState tool_state;
@@ -261,10 +261,10 @@ TEST(Contact, NodesThatWereAwayAreFoundAgainWhenTheyOrTheToolHaveComeNear)
     }
     tool_state.displacement = 8e-3 * std::sin(0.01 * i);
     s.force.assign(nodes, {});
-    test::contact_forces(contact, tool, tool_state, known, mass, s, dt, moved);
+    test::contact_forces(contact, tool, tool_state, known, area, s, dt, moved);
     const std::vector<Vec3> force = s.force;
     s.force.assign(nodes, {});
-    test::contact_forces(contact, tool, tool_state, unknown, mass, s, dt);
+    test::contact_forces(contact, tool, tool_state, unknown, area, s, dt);
     ASSERT_EQ(force, s.force) << "step " << i;
     touching += std::any_of(force.begin(), force.end(), [](const Vec3& f) { return norm(f) > 0.0; });
     away += known.planes.way < known.planes.quiet_until[0];

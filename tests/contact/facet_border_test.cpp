@@ -25,7 +25,7 @@ double ripple(int sides)
 {
   const double radius = 0.05, half = 0.5e-3;
   const Tool tool{"roll", ToolSurface(prism(radius, 0.2, sides)), 0.0, {}, {}, {0, 0, 1}, 0.0};
-  const Contact contact(tool, 0, half, 0.1, 0.0, 1e-6);
+  const Contact contact(tool, 0, half, 0.1, 0.0, 1.0, 1e-6);
   ToolState tool_state;
   State s;
   s.velocity = {{}};
