@@ -156,20 +156,26 @@ int bending_interval(const Bending& bending, const Model& model)
   return longest_hold(fastest_bending(bending, model.mass) * model.first_step, bending.damping_time / model.first_step, most);
 }
 
+/// Places the masses, sets damping and contact; returns the limit of the step [s].
+double place_masses(const Case& c, std::span<const double> lumping, Model& model)
+{
+  const std::vector<Vec3>& flat = model.blank.mesh.points;
+  model.mass = lumped(model.membrane, model.element_mass, lumping);
+  set_damping(c.material, flat, model);
+  set_contacts(c, model);
+  return StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs)
+      .at(flat, wave_step(model));
+}
+
 /// The nodes' factors on thirds of their elements' masses: as the case wants them, or all 1 where the sheet has weight, which hangs
 /// where its mass is and bends it accordingly, or where bending limits the step, and it would be shorter with them.
-std::vector<double> find_lumping(const Case& c, const std::vector<double>& element_mass, const Model& model)
+std::vector<double> find_lumping(const Case& c, Model& model)
 {
   const std::vector<double> thirds(model.membrane.node_area.size(), 1.0);
   if (c.time.lumping == 0.0 || !model.gravity.empty()) return thirds;
   std::vector<double> factors = lumping_factors(model.blank, model.membrane, c.time.lumping);
   if (model.bending.empty()) return factors;
-  const auto limit = [&](std::span<const double> lumping) {
-    constexpr double near = 1e-6; // any: there is no damping yet
-    const std::vector<double> mass = lumped(model.membrane, element_mass, lumping);
-    return StepLimit(model.blank, model.membrane, mass, model.shear_modulus, model.bending).at(model.blank.mesh.points, near);
-  };
-  return limit(factors) >= limit(thirds) ? factors : thirds;
+  return place_masses(c, factors, model) >= place_masses(c, thirds, model) ? factors : thirds;
 }
 
 /// Masses, steps and contact stiffnesses: what depends on one another.
@@ -181,9 +187,9 @@ void set_inertia(const Case& c, Model& model)
   const double per_area = c.material.constituents.density * c.blank.thickness;
   const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
   for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
-  const std::vector<double> lumping = find_lumping(c, model.element_mass, model);
-  model.mass = lumped(membrane, model.element_mass, lumping);
   model.safety = c.time.safety;
+  const std::vector<double> lumping = find_lumping(c, model);
+  model.mass = lumped(membrane, model.element_mass, lumping);
   set_damping(c.material, sheet.position, model);
   scale_masses(c, sheet, lumping, model);
   model.added_mass_fraction = std::max( // not less than none in the last digit
