@@ -1,0 +1,153 @@
+#include "solver/inertia.hpp"
+#include "element/held_bending.hpp"
+#include "element/mass_lumping.hpp"
+#include "element/stable_step.hpp"
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace towform {
+
+namespace {
+
+/// `factors` on the thirds of their elements' masses, of every node.
+std::vector<double> lumped(const Membrane& membrane, std::span<const double> element_mass, std::span<const double> factors)
+{
+  std::vector<double> mass(factors.size(), 0.0);
+  for (std::size_t e = 0; e < element_mass.size(); ++e)
+    for (const int n : membrane.triangles[e]) mass[n] += element_mass[e] / 3.0;
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] *= factors[n];
+  return mass;
+}
+
+/// [rad/s]
+double fastest_bending(const Bending& bending, std::span<const double> mass)
+{
+  const std::vector<double> squares = bending.frequency_bound(mass);
+  return std::sqrt(*std::max_element(squares.begin(), squares.end()));
+}
+
+/// Damping times from what is critical for the fastest waves, of the sheet before selective mass scaling.
+void set_damping(const MaterialParameters& material, std::span<const Vec3> flat, Model& model)
+{
+  constexpr double near = 1e-6; // any: there is no damping yet
+  if (material.yarn_damping > 0.0)
+    model.membrane.damping_time =
+        material.yarn_damping *
+        StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus).at(flat, near);
+  for (Bending& bending : model.bending)
+    bending.damping_time = material.bending_damping * 2.0 / fastest_bending(bending, model.mass);
+}
+
+/// A wave's time over an element: unlike the bound, the same for a quarter as for the whole.
+double wave_step(const Model& model)
+{
+  const double lightest = *std::min_element(model.element_mass.begin(), model.element_mass.end());
+  return std::sqrt(2.0 * lightest / model.membrane.yarn.stiffness);
+}
+
+/// Contact with the stiffness that it has at the step of a sheet whose masses lie in thirds: that they lie otherwise for longer
+/// steps makes it no softer.
+void set_contacts(const Case& c, Model& model)
+{
+  if (model.tools.empty()) return;
+  const Membrane& membrane = model.membrane;
+  const std::vector<double> thirds = lumped(membrane, model.element_mass, std::vector<double>(membrane.node_area.size(), 1.0));
+  const StepLimit limit(model.blank, membrane, thirds, model.shear_modulus, model.bending);
+  const double step = model.safety * limit.at(model.blank.mesh.points, wave_step(model));
+  const double mass_per_area = c.material.constituents.density * c.blank.thickness * c.time.mass_scaling;
+  model.contacts.clear();
+  for (std::size_t i = 0; i < model.tools.size(); ++i) {
+    model.contacts.emplace_back(model.tools[i], static_cast<int>(i), 0.5 * c.blank.thickness, c.contact.penalty,
+                                c.contact.damping, mass_per_area, step);
+    Contact& contact = model.contacts.back();
+    contact.stick_ratio = c.contact.stick;
+    contact.soft = c.contact.soft;
+    contact.soft_depth = c.contact.soft_depth * c.blank.thickness;
+  }
+  const Contact& one = model.contacts.front();
+  model.tool_springs = {2.0 * one.stiffness_per_area, 2.0 * one.damping_per_area,
+                        2.0 * c.contact.stick * one.stiffness_per_area, 2.0 * c.contact.stick * one.damping_per_area};
+}
+
+/// Sets contact, looks at the flat sheet's stable step and makes elements heavier until it is the one that is wanted. Heavier elements change what their
+/// neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
+void scale_masses(const Case& c, const State& flat, std::span<const double> lumping, Model& model)
+{
+  const double wanted = c.time.step.value_or(0.0) / model.safety;
+  constexpr int most_rounds = 20;
+  constexpr double aim = 1.001;
+  for (int round = 0; round < most_rounds; ++round) {
+    const StepBound bound(model.membrane, {model.element_mass, model.mass}, model.shear_modulus, model.bending);
+    set_contacts(c, model);
+    model.first_look = look_at_step(model, bound, flat);
+    if (model.first_look.step >= wanted) return;
+    const auto factors = bound.mass_factors(flat, aim * wanted / model.first_look.over_bound());
+    for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
+    model.mass = lumped(model.membrane, model.element_mass, lumping);
+  }
+}
+
+/// For how many steps bending forces are held.
+int bending_interval(const Bending& bending, const Model& model)
+{
+  constexpr int most = 8;
+  return longest_hold(fastest_bending(bending, model.mass) * model.first_step, bending.damping_time / model.first_step, most);
+}
+
+/// Places the masses, sets damping and contact; returns the limit of the step [s].
+double place_masses(const Case& c, std::span<const double> lumping, Model& model)
+{
+  const std::vector<Vec3>& flat = model.blank.mesh.points;
+  model.mass = lumped(model.membrane, model.element_mass, lumping);
+  set_damping(c.material, flat, model);
+  set_contacts(c, model);
+  return StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs)
+      .at(flat, wave_step(model));
+}
+
+/// The nodes' factors on thirds of their elements' masses: as the case wants them, or all 1 where the sheet has weight, which hangs
+/// where its mass is and bends it accordingly, or where bending limits the step, and it would be shorter with them.
+std::vector<double> find_lumping(const Case& c, Model& model)
+{
+  const std::vector<double> thirds(model.membrane.node_area.size(), 1.0);
+  if (c.time.lumping == 0.0 || !model.gravity.empty()) return thirds;
+  std::vector<double> factors = lumping_factors(model.blank, model.membrane, c.time.lumping);
+  if (model.bending.empty()) return factors;
+  return place_masses(c, factors, model) >= place_masses(c, thirds, model) ? factors : thirds;
+}
+
+} // namespace
+
+void set_inertia(const Case& c, Model& model)
+{
+  const Membrane& membrane = model.membrane;
+  State sheet;
+  sheet.position = model.blank.mesh.points;
+  const double per_area = c.material.constituents.density * c.blank.thickness;
+  const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
+  for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
+  model.safety = c.time.safety;
+  const std::vector<double> lumping = find_lumping(c, model);
+  model.mass = lumped(membrane, model.element_mass, lumping);
+  set_damping(c.material, sheet.position, model);
+  scale_masses(c, sheet, lumping, model);
+  model.added_mass_fraction = std::max( // not less than none in the last digit
+      0.0, std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0);
+  double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
+  for (std::size_t e = 0; e < membrane.area.size(); ++e)
+    lightest = std::min(lightest, model.element_mass[e] / membrane.area[e]);
+  model.wave_speed = std::sqrt(membrane.yarn.stiffness / lightest);
+  model.first_step = model.safety * model.first_look.step;
+  if (c.time.subcycling)
+    for (Bending& bending : model.bending) bending.interval = bending_interval(bending, model);
+}
+
+StepLook look_at_step(const Model& model, const StepBound& bound, const State& s)
+{
+  const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
+  return {limit.at(s.position, wave_step(model)), bound.at(s).step};
+}
+
+} // namespace towform
