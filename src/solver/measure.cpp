@@ -1,5 +1,4 @@
 #include "solver/measure.hpp"
-#include "solver/field_tail.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -61,6 +60,32 @@ DrawIn DrawInGauge::measure(const System& s) const
   return {mean(x_mid_, 1.0, 0.0), mean(y_mid_, 0.0, 1.0), mean(corner_, 1.0, 1.0)};
 }
 
+void FieldExtremes::tell(Summary& summary) const
+{
+  summary.shear_angle_max_deg = shear_max * to_degrees;
+  summary.shear_angle_p99_deg = shear_p99 * to_degrees;
+  summary.fibre_strain_max = strain_max;
+  summary.fibre_strain_p99 = strain_p99;
+  summary.fibre_strain_over_2_percent = strain_over_2_percent;
+  summary.fibre_compression_max = compression_max;
+  summary.fibre_compression_p99 = compression_p99;
+  summary.fibre_compression_over_half_percent = compression_over_half_percent;
+}
+
+FieldExtremes field_extremes(const FieldTail& shear, const FieldTail& strain, const FieldTail& compression)
+{
+  return {.shear_max = shear.largest,
+          .shear_p99 = shear.percentile_99,
+          .strain_max = strain.largest,
+          .strain_p99 = strain.percentile_99,
+          .strain_over_2_percent = strain.fraction_over,
+          .compression_max = compression.largest,
+          .compression_p99 = compression.percentile_99,
+          .compression_over_half_percent = compression.fraction_over,
+          .most_sheared = static_cast<int>(shear.place),
+          .most_strained = static_cast<int>(strain.place)};
+}
+
 FieldExtremes field_extremes(const Membrane& membrane, const System& s)
 {
   const std::vector<int>& strip = membrane.strips.of;
@@ -72,16 +97,7 @@ FieldExtremes field_extremes(const Membrane& membrane, const System& s)
       field_tail(elements, much_strain, [&](std::size_t e) { return std::max(std::abs(warp(e)), std::abs(weft(e))); });
   const FieldTail compression =
       field_tail(elements, much_compression, [&](std::size_t e) { return std::max({0.0, -warp(e), -weft(e)}); });
-  return {.shear_max = shear.largest,
-          .shear_p99 = shear.percentile_99,
-          .strain_max = strain.largest,
-          .strain_p99 = strain.percentile_99,
-          .strain_over_2_percent = strain.fraction_over,
-          .compression_max = compression.largest,
-          .compression_p99 = compression.percentile_99,
-          .compression_over_half_percent = compression.fraction_over,
-          .most_sheared = static_cast<int>(shear.place),
-          .most_strained = static_cast<int>(strain.place)};
+  return field_extremes(shear, strain, compression);
 }
 
 } // namespace towform

@@ -1,7 +1,9 @@
 #pragma once
 #include "mesh/outline.hpp"
 #include "solver/energy.hpp"
+#include "solver/field_tail.hpp"
 #include "solver/model.hpp"
+#include "towform/results.hpp"
 #include <numbers>
 
 namespace towform {
@@ -46,7 +48,11 @@ struct FieldExtremes {
   double compression_max = 0.0, compression_p99 = 0.0; ///< larger shortening of an element's two families
   double compression_over_half_percent = 0.0;          ///< fraction of the elements
   int most_sheared = 0, most_strained = 0;             ///< elements
+
+  void tell(Summary& summary) const;
 };
+/// From the tails of these fields, those of strain and compression counted over what is much.
+FieldExtremes field_extremes(const FieldTail& shear, const FieldTail& strain, const FieldTail& compression);
 FieldExtremes field_extremes(const Membrane& membrane, const System& s);
 
 } // namespace towform

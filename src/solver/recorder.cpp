@@ -69,14 +69,7 @@ void Recorder::measure(const System& s)
   if (s.sheet.time >= 0.5 * case_.time.end)
     record_.summary.kinetic_to_internal_max =
         std::max(record_.summary.kinetic_to_internal_max, kinetic_to_internal(energies_));
-  record_.summary.shear_angle_max_deg = extremes_.shear_max * 180.0 / M_PI;
-  record_.summary.shear_angle_p99_deg = extremes_.shear_p99 * 180.0 / M_PI;
-  record_.summary.fibre_strain_max = extremes_.strain_max;
-  record_.summary.fibre_strain_p99 = extremes_.strain_p99;
-  record_.summary.fibre_strain_over_2_percent = extremes_.strain_over_2_percent;
-  record_.summary.fibre_compression_max = extremes_.compression_max;
-  record_.summary.fibre_compression_p99 = extremes_.compression_p99;
-  record_.summary.fibre_compression_over_half_percent = extremes_.compression_over_half_percent;
+  extremes_.tell(record_.summary);
   record_.summary.draw_in_x_mid_mm = 1e3 * draw_in_.x_mid;
   record_.summary.draw_in_y_mid_mm = 1e3 * draw_in_.y_mid;
   record_.summary.draw_in_corner_mm = 1e3 * draw_in_.corner;

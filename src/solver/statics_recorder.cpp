@@ -1,5 +1,4 @@
 #include "solver/statics_recorder.hpp"
-#include "solver/field_tail.hpp"
 #include "solver/measure.hpp"
 #include "solver/run_files.hpp"
 #include "towform/error.hpp"
@@ -138,20 +137,13 @@ void StaticsRecorder::measure(const StaticsState& s)
     strain.push_back(std::max(std::abs(mean.strain1), std::abs(mean.strain2)));
     compression.push_back(std::max({0.0, -mean.strain1, -mean.strain2}));
   }
-  const FieldTail of_shear = field_tail(shear), of_strain = field_tail(strain, much_strain),
-                  of_compression = field_tail(compression, much_compression);
-  most_strained_ = of_strain.place;
+  const FieldExtremes extremes =
+      field_extremes(field_tail(shear), field_tail(strain, much_strain), field_tail(compression, much_compression));
+  extremes.tell(record_.summary);
+  most_strained_ = extremes.most_strained;
   energies_ = energy_account(problem_.model, s);
   record_.summary.steps = s.step;
   record_.summary.simulated_time_s = s.time;
-  record_.summary.shear_angle_max_deg = of_shear.largest * to_degrees;
-  record_.summary.shear_angle_p99_deg = of_shear.percentile_99 * to_degrees;
-  record_.summary.fibre_strain_max = of_strain.largest;
-  record_.summary.fibre_strain_p99 = of_strain.percentile_99;
-  record_.summary.fibre_strain_over_2_percent = of_strain.fraction_over;
-  record_.summary.fibre_compression_max = of_compression.largest;
-  record_.summary.fibre_compression_p99 = of_compression.percentile_99;
-  record_.summary.fibre_compression_over_half_percent = of_compression.fraction_over;
   record_.summary.energy_error = energies_.error();
   record_.summary.energies_J = listed(energies_);
 }

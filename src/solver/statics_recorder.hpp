@@ -45,7 +45,7 @@ private:
   std::unique_ptr<ResultsWriter> results_;
   std::unique_ptr<HistoryWriter> history_;
   Energies energies_;
-  std::size_t most_strained_ = 0;
+  int most_strained_ = 0;
 };
 
 } // namespace towform
