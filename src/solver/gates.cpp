@@ -80,8 +80,9 @@ void check_gates(const GateParameters& gates, const Model& model, const System& 
     stop(ExitCode::stability_gate, s,
          fmt::format("the energy account is off by {:.2f} % of the external work, limit gates.energy_error = "
                      "{:.2f} %; "
-                     "lower contact.penalty, which stiffens impacts, or time.safety",
-                     100.0 * energies.error(), 100.0 * gates.energy_error));
+                     "{}lower contact.penalty, which stiffens impacts, or time.safety",
+                     100.0 * energies.error(), 100.0 * gates.energy_error,
+                     model.lumped ? "go without time.lumping, or " : ""));
   if (fraction >= kinetic_from && !(kinetic_ratio <= gates.kinetic_to_internal))
     stop(
         ExitCode::stability_gate, s,

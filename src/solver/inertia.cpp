@@ -47,15 +47,16 @@ double wave_step(const Model& model)
   return std::sqrt(2.0 * lightest / model.membrane.yarn.stiffness);
 }
 
-/// Contact with the stiffness that it has at the step of a sheet whose masses lie in thirds: that they lie otherwise for longer
-/// steps makes it no softer.
+/// Contact with the stiffness that it has at the step, with tools, of a sheet whose masses lie in thirds: that they lie otherwise for
+/// longer steps makes it no softer.
 void set_contacts(const Case& c, Model& model)
 {
   if (model.tools.empty()) return;
   const Membrane& membrane = model.membrane;
   const std::vector<double> thirds = lumped(membrane, model.element_mass, std::vector<double>(membrane.node_area.size(), 1.0));
   const StepLimit limit(model.blank, membrane, thirds, model.shear_modulus, model.bending);
-  const double step = model.safety * limit.at(model.blank.mesh.points, wave_step(model));
+  const double beside_tools = std::sqrt(1.0 - 0.25 * c.contact.stick * c.contact.two_tools());
+  const double step = model.safety * beside_tools * limit.at(model.blank.mesh.points, wave_step(model));
   const double mass_per_area = c.material.constituents.density * c.blank.thickness * c.time.mass_scaling;
   model.contacts.clear();
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
@@ -131,6 +132,7 @@ void set_inertia(const Case& c, Model& model)
   model.safety = c.time.safety;
   const std::vector<double> lumping = find_lumping(c, model);
   model.mass = lumped(membrane, model.element_mass, lumping);
+  model.lumped = c.time.lumping > 0.0;
   set_damping(c.material, sheet.position, model);
   scale_masses(c, sheet, lumping, model);
   model.added_mass_fraction = std::max( // not less than none in the last digit

@@ -30,6 +30,7 @@ struct Model {
   std::vector<Pressure> pressure;   ///< one or none
   std::vector<double> element_mass; ///< m, with mass scaling [kg]
   std::vector<double> mass;         ///< n, lumped [kg]
+  bool lumped = false;              ///< not in thirds of triangles on their corners (Case: time.lumping)
   double added_mass_fraction = 0.0; ///< by mass scaling, over the sheet's own
   double wave_speed = 0.0;          ///< fastest of the yarns' waves [m/s]
   double mass_damping = 0.0;        ///< [1/s]

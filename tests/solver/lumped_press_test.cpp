@@ -19,7 +19,7 @@ double sum(const std::vector<double>& v) { return std::accumulate(v.begin(), v.e
 
 TEST_F(LumpedPress, TakesLongerStepsWithTheSameMassAndAsStiffAContact)
 {
-  const Model thirds = model({"time.lumping=0"}), lumped = model({});
+  const Model thirds = model({"time.lumping=0"}), lumped = model({"time.lumping=0.2"});
   EXPECT_GT(lumped.first_step, 1.05 * thirds.first_step);
   EXPECT_NEAR(sum(lumped.mass), sum(thirds.mass), 1e-12 * sum(thirds.mass));
   EXPECT_NEAR(lumped.added_mass_fraction, 0.0, 1e-12);
@@ -31,7 +31,7 @@ TEST_F(LumpedPress, TakesLongerStepsWithTheSameMassAndAsStiffAContact)
 
 TEST_F(LumpedPress, LeavesMassesInThirdsUnderGravity)
 {
-  const Model heavy = model({"load.gravity=[0, 0, -9.81]"});
+  const Model heavy = model({"load.gravity=[0, 0, -9.81]", "time.lumping=0.2"});
   const double per_area = heavy.mass[0] / heavy.membrane.node_area[0];
   for (std::size_t n = 0; n < heavy.mass.size(); ++n)
     EXPECT_NEAR(heavy.mass[n] / heavy.membrane.node_area[n], per_area, 1e-9 * per_area);
@@ -41,7 +41,7 @@ TEST_F(LumpedPress, IsNotSlowerWhereBendingLimitsTheStep)
 {
   for (const char* stiffness : {"0.1 N m", "3 N m", "10 N m", "30 N m", "1000 N m"}) {
     const std::string bending = std::string("material.bending_stiffness=") + stiffness;
-    EXPECT_GT(model({bending}).first_step, 0.995 * model({bending, "time.lumping=0"}).first_step) << stiffness;
+    EXPECT_GT(model({bending, "time.lumping=0.2"}).first_step, 0.995 * model({bending}).first_step) << stiffness;
   }
 }
 
