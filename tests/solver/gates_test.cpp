@@ -106,7 +106,7 @@ TEST_F(Gate, SelectiveMassScalingLeavesTheFastestWavesAsTheyAre)
   EXPECT_GT(model.added_mass_fraction, 0.1);
   EXPECT_LE(model.wave_speed, 822.1);
   for (std::size_t e = 0; e < model.element_mass.size(); ++e)
-    EXPECT_GE(model.wave_speed,
+    EXPECT_GE((1.0 + 1e-12) * model.wave_speed,
               std::sqrt(model.membrane.yarn.stiffness * model.membrane.area[e] / model.element_mass[e]));
 }
 

@@ -12,7 +12,7 @@ protected:
   {
     for (const char* thickness : {"1", "1.000000000000003"}) {
       std::vector<std::string> all = overrides;
-      all.emplace_back("blank.elements=1600"); // enough nodes that graze a tool
+      all.emplace_back("blank.elements=2000"); // enough nodes that graze a tool
       all.push_back(fmt::format("blank.thickness={} mm", thickness));
       form(thickness, 1, all);
     }
