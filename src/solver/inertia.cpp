@@ -48,7 +48,7 @@ double wave_step(const Model& model)
 }
 
 /// Contact with the stiffness that it has at the step, with tools, of a sheet whose masses lie in thirds: that they lie otherwise for
-/// longer steps makes it no softer.
+/// longer steps makes it no softer, and steps below half the stable one no stiffer: it would limit them itself.
 void set_contacts(const Case& c, Model& model)
 {
   if (model.tools.empty()) return;
@@ -56,7 +56,7 @@ void set_contacts(const Case& c, Model& model)
   const std::vector<double> thirds = lumped(membrane, model.element_mass, std::vector<double>(membrane.node_area.size(), 1.0));
   const StepLimit limit(model.blank, membrane, thirds, model.shear_modulus, model.bending);
   const double beside_tools = std::sqrt(1.0 - 0.25 * c.contact.stick * c.contact.two_tools());
-  const double step = model.safety * beside_tools * limit.at(model.blank.mesh.points, wave_step(model));
+  const double step = std::max(model.safety, 0.5) * beside_tools * limit.at(model.blank.mesh.points, wave_step(model));
   const double mass_per_area = c.material.constituents.density * c.blank.thickness * c.time.mass_scaling;
   model.contacts.clear();
   for (std::size_t i = 0; i < model.tools.size(); ++i) {

@@ -29,6 +29,13 @@ TEST_F(LumpedPress, TakesLongerStepsWithTheSameMassAndAsStiffAContact)
   }
 }
 
+TEST_F(LumpedPress, IsSteppedAsFinelyAsTheCaseWants)
+{
+  const double whole = model({"time.safety=1"}).first_step;
+  for (const double safety : {0.5, 0.01, 0.001})
+    EXPECT_NEAR(model({"time.safety=" + std::to_string(safety)}).first_step, safety * whole, 0.1 * safety * whole);
+}
+
 TEST_F(LumpedPress, LeavesMassesInThirdsUnderGravity)
 {
   const Model heavy = model({"load.gravity=[0, 0, -9.81]", "time.lumping=0.2"});
