@@ -154,7 +154,7 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
   Groups near, pressed;
   for (int g = 0; g * NodeLanes::group < count; ++g)
     if (lanes.near[g] != 0 && lanes.touching[g] == 0) near.add(g);
-  if (measure(nodes, lanes, m.law, near.begin(), near.count, gaps).deep > 0) {
+  if (measure(nodes, lanes, m.law, near.begin(), near.count, gaps) > 0) {
     search_for_deep(near);
     measure(nodes, lanes, m.law, near.begin(), near.count, gaps);
   }
@@ -167,7 +167,7 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
   }
   block.bring_motion();
   PushLanes push;
-  if (press(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push).deep > 0) {
+  if (press(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push) > 0) {
     search_for_deep(pressed);
     press(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push);
   }

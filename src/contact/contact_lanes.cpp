@@ -93,15 +93,15 @@ inline std::int64_t below(const double* gaps, double least)
 } // namespace
 
 TOWFORM_VECTOR_CLONES
-Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-                 GapLanes& __restrict gaps)
+int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+            GapLanes& __restrict gaps)
 {
   const double* __restrict normal_x = c.normal_x;
   const double* __restrict normal_y = c.normal_y;
   const double* __restrict normal_z = c.normal_z;
   const double* __restrict offset = c.offset;
   const double shift_x = law.shift.x, shift_y = law.shift.y, shift_z = law.shift.z, half = law.half_thickness;
-  std::int64_t all = 0, deep = 0;
+  std::int64_t deep = 0;
   for (int number = 0; number < count; ++number) {
     const int g = groups[number], first = g * group;
     for (int i = first; i < first + group; ++i) {
@@ -109,10 +109,9 @@ Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw
       gaps.gap[i] = (normal_x[i] * px + normal_y[i] * py + normal_z[i] * pz - offset[i]) - half;
     }
     gaps.touch[g] = below(gaps.gap + first, 0.0);
-    all += gaps.touch[g];
     deep += below(gaps.gap + first, -half);
   }
-  return {static_cast<int>(all), static_cast<int>(deep)};
+  return static_cast<int>(deep);
 }
 
 namespace {
@@ -135,8 +134,8 @@ inline double compressed(const ContactLaw& l, double depth)
 } // namespace
 
 TOWFORM_VECTOR_CLONES
-Touching press(const NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
-               const std::uint8_t* __restrict groups, int count, GapLanes& __restrict gaps, PushLanes& __restrict p)
+int press(const NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* __restrict groups,
+          int count, GapLanes& __restrict gaps, PushLanes& __restrict p)
 {
   const double* __restrict normal_x = c.normal_x;
   const double* __restrict normal_y = c.normal_y;
@@ -146,7 +145,7 @@ Touching press(const NodeLanes& __restrict nodes, const ContactLanes& c, const C
   const double* __restrict stick_y = c.stick_y;
   const double* __restrict stick_z = c.stick_z;
   const ContactLaw l = law;
-  std::int64_t all = 0, deep = 0;
+  std::int64_t deep = 0;
   for (int number = 0; number < count; ++number) {
     const int g = groups[number], first = g * group;
     TOWFORM_INDEPENDENT
@@ -186,10 +185,9 @@ Touching press(const NodeLanes& __restrict nodes, const ContactLanes& c, const C
       p.slips[i] = slips ? 1.0 : 0.0;
     }
     gaps.touch[g] = below(gaps.gap + first, 0.0);
-    all += gaps.touch[g];
     deep += below(gaps.gap + first, -l.half_thickness);
   }
-  return {static_cast<int>(all), static_cast<int>(deep)};
+  return static_cast<int>(deep);
 }
 
 namespace {

@@ -59,13 +59,8 @@ struct GapLanes {
   alignas(64) NodeLanes::Lanes gap; ///< [m]
   std::int64_t touch[NodeLanes::size / NodeLanes::group]; // NOLINT(modernize-avoid-c-arrays)
 };
-/// How many nodes touch the tool, and how many are so deep that they may be behind their plane.
-struct Touching {
-  int all = 0, deep = 0;
-};
-/// Measures the gaps of `groups`, `count` of them.
-Touching measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-                 GapLanes& gaps);
+/// Measures the gaps of `groups`, `count` of them; returns how many nodes are so deep that they may be behind their plane.
+int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count, GapLanes& gaps);
 
 /// What press hands over to rub.
 struct PushLanes {
@@ -78,10 +73,10 @@ struct PushLanes {
   alignas(64) Lanes slips; ///< 1 where the spring alone passes the cone, else 0
 };
 
-/// Measures the gaps of `groups`, `count` of them; normal force of a spring, softer at first touch (Contact), and damping, never
+/// Measures likewise; normal force of a spring, softer at first touch (Contact), and damping, never
 /// pulling; the tangential one as if the node stuck.
-Touching press(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-               GapLanes& gaps, PushLanes& p);
+int press(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count, GapLanes& gaps,
+          PushLanes& p);
 
 /// Coulomb friction by stick-slip return mapping: a step's tangential movement stretches the spring k_t = `stick_ratio` k and lets
 /// it slip back to the cone of `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force.

@@ -1,6 +1,6 @@
 #include "element/mass_lumping.hpp"
 #include "element/strip_parts.hpp"
-#include <numeric>
+#include <span>
 
 namespace towform {
 
