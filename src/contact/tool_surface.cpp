@@ -1,53 +1,37 @@
 #include "contact/tool_surface.hpp"
+#include "mesh/elements_of_node.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace towform {
 
 namespace {
 
-/// The facet that has an edge from one point to another.
-class DirectedEdges {
-public:
-  explicit DirectedEdges(const SurfaceMesh& mesh) : first_(mesh.points.size() + 1, 0), edges_(3 * mesh.triangles.size())
-  {
-    for (const Triangle& t : mesh.triangles)
-      for (const int from : t) ++first_[static_cast<std::size_t>(from) + 1];
-    for (std::size_t n = 0; n + 1 < first_.size(); ++n) first_[n + 1] += first_[n];
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k)
-        edges_[next[mesh.triangles[t][k]]++] = {mesh.triangles[t][(k + 1) % 3], static_cast<int>(t)};
-  }
-  /// Of several the last, or -1.
-  [[nodiscard]] int facet(int from, int to) const
-  {
-    for (int i = first_[static_cast<std::size_t>(from) + 1] - 1; i >= first_[from]; --i)
-      if (edges_[i].to == to) return edges_[i].facet;
-    return -1;
-  }
-
-private:
-  struct Edge {
-    int to, facet;
-  };
-  std::vector<int> first_; // of each point's
-  std::vector<Edge> edges_;
-};
+/// The facet that has an edge from one point to another, of several the last, or -1.
+int facet_with_edge(std::span<const Triangle> triangles, const ElementsOfNode& facets, int from, int to)
+{
+  const std::span<const int> round = facets.of(static_cast<std::size_t>(from));
+  for (auto facet = round.rbegin(); facet != round.rend(); ++facet)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (triangles[*facet][k] == from && triangles[*facet][(k + 1) % 3] == to) return *facet;
+  return -1;
+}
 
 } // namespace
 
 ToolSurface::ToolSurface(SurfaceMesh mesh)
     : mesh_(std::move(mesh)), tree_(mesh_), edge_normal_(mesh_.triangles.size()),
-      corner_normal_(mesh_.points.size()), border_corner_(mesh_.points.size(), 0), lowest_(mesh_.points.front()), highest_(mesh_.points.front())
+      corner_normal_(mesh_.points.size()), border_corner_(mesh_.points.size(), 0), lowest_(mesh_.points.front()),
+      highest_(mesh_.points.front())
 {
   for (const Vec3& p : mesh_.points) {
     lowest_ = {std::min(lowest_.x, p.x), std::min(lowest_.y, p.y), std::min(lowest_.z, p.z)};
     highest_ = {std::max(highest_.x, p.x), std::max(highest_.y, p.y), std::max(highest_.z, p.z)};
   }
-  const DirectedEdges edges(mesh_);
+  const ElementsOfNode facets(mesh_.triangles, mesh_.points.size());
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const Triangle& corner = mesh_.triangles[t];
     const Facet& facet = tree_.facet(static_cast<int>(t));
@@ -60,7 +44,7 @@ ToolSurface::ToolSurface(SurfaceMesh mesh)
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
       const int from = mesh_.triangles[t][k], to = mesh_.triangles[t][(k + 1) % 3];
-      const int other = edges.facet(to, from);
+      const int other = facet_with_edge(mesh_.triangles, facets, to, from);
       Facet& here = tree_.facet(static_cast<int>(t));
       here.across[k] = other;
       edge_normal_[t][k] = here.normal;

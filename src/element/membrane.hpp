@@ -41,18 +41,6 @@ struct YarnVectors {
   }
 };
 
-/// The elements round every node, ascending, so that sums have one order.
-struct ElementsOfNode {
-  std::vector<int> first;   ///< n + 1
-  std::vector<int> element; ///< 3m
-
-  ElementsOfNode(std::span<const Triangle> triangles, std::size_t nodes);
-  [[nodiscard]] std::span<const int> of(std::size_t node) const
-  {
-    return {element.data() + first[node], element.data() + first[node + 1]};
-  }
-};
-
 /// Membrane triangles of one ply, one integration point each, total Lagrangian: first Piola-Kirchhoff
 /// resultant
 ///   P = T1 f1 x f01 + T2 f2 x f02 + N [(f2 - s f1) x f01/lambda1 + (f1 - s f2) x f02/lambda2]   [N/m]

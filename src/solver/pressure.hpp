@@ -1,5 +1,6 @@
 #pragma once
 #include "element/membrane.hpp"
+#include "mesh/elements_of_node.hpp"
 #include "towform/case.hpp"
 #include "towform/state.hpp"
 #include <vector>
