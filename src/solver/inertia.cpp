@@ -31,7 +31,8 @@ double fastest_bending(const Bending& bending, std::span<const double> mass)
 /// Damping times from what is critical for the fastest waves, of the sheet before selective mass scaling.
 void set_damping(const MaterialParameters& material, std::span<const Vec3> flat, Model& model)
 {
-  constexpr double near = 1e-6; // any: there is no damping yet
+  constexpr double near = 1e-6; // any: without damping
+  model.membrane.damping_time = 0.0;
   if (material.yarn_damping > 0.0)
     model.membrane.damping_time =
         material.yarn_damping *
@@ -72,8 +73,8 @@ void set_contacts(const Case& c, Model& model)
                         2.0 * c.contact.stick * one.stiffness_per_area, 2.0 * c.contact.stick * one.damping_per_area};
 }
 
-/// Sets contact, looks at the flat sheet's stable step and makes elements heavier until it is the one that is wanted. Heavier elements change what their
-/// neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
+/// Sets contact, looks at the flat sheet's stable step and makes elements heavier until it is the one that is wanted. Heavier
+/// elements change what their neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
 void scale_masses(const Case& c, const State& flat, std::span<const double> lumping, Model& model)
 {
   const double wanted = c.time.step.value_or(0.0) / model.safety;
@@ -132,7 +133,7 @@ void set_inertia(const Case& c, Model& model)
   model.safety = c.time.safety;
   const std::vector<double> lumping = find_lumping(c, model);
   model.mass = lumped(membrane, model.element_mass, lumping);
-  model.lumped = c.time.lumping > 0.0;
+  model.lumped = std::any_of(lumping.begin(), lumping.end(), [](double factor) { return factor != 1.0; });
   set_damping(c.material, sheet.position, model);
   scale_masses(c, sheet, lumping, model);
   model.added_mass_fraction = std::max( // not less than none in the last digit

@@ -44,6 +44,13 @@ TEST_F(LumpedPress, LeavesMassesInThirdsUnderGravity)
     EXPECT_NEAR(heavy.mass[n] / heavy.membrane.node_area[n], per_area, 1e-9 * per_area);
 }
 
+TEST_F(LumpedPress, DampsYarnsAsMuchWhetherTheSheetResistsBendingOrNot)
+{
+  // Too little bending to limit the step, with which the masses are placed twice.
+  const double without = model({"time.lumping=0.2"}).membrane.damping_time;
+  EXPECT_NEAR(model({"time.lumping=0.2", "material.bending_stiffness=1 mN m"}).membrane.damping_time, without, 1e-3 * without);
+}
+
 TEST_F(LumpedPress, IsNotSlowerWhereBendingLimitsTheStep)
 {
   for (const char* stiffness : {"0.1 N m", "3 N m", "10 N m", "30 N m", "1000 N m"}) {
