@@ -30,6 +30,9 @@ void wait_while(const std::atomic<T>& value, T old)
   while (value.load(std::memory_order_acquire) == old) value.wait(old, std::memory_order_acquire);
 }
 
+/// Whether this thread is in a loop's body: a loop in there is its own.
+thread_local bool in_a_loop = false; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
 /// The calling thread and its helpers.
 class Team {
 public:
@@ -50,16 +53,19 @@ public:
 
   void run(void (*task)(void*, int), void* context)
   {
-    const Clock::time_point start = Clock::now();
-    if (count_ == 1 || start < alone_until_) {
+    const auto all_parts = [&] {
       for (int part = 0; part < count_; ++part) task(context, part);
-      return;
-    }
+    };
+    if (count_ == 1 || in_a_loop) return all_parts();
+    const Clock::time_point start = Clock::now();
+    if (start < alone_until_) return all_parts();
     task_ = task;
     context_ = context;
     busy_.store(count_ - 1, std::memory_order_relaxed);
     begin();
+    in_a_loop = true;
     task(context, 0);
+    in_a_loop = false;
     const Clock::time_point done = Clock::now();
     for (int left = busy_.load(std::memory_order_acquire); left != 0;
          left = busy_.load(std::memory_order_acquire))
@@ -97,6 +103,7 @@ private:
 
   void help(int part)
   {
+    in_a_loop = true;
     for (std::uint32_t seen = 0;; ++seen) {
       wait_while(round_, seen);
       if (task_ == nullptr) return;

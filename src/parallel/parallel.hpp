@@ -15,7 +15,7 @@ namespace parallel {
 /// Calls task(context, part) for every part 0 .. threads()-1 at once and returns when all are done. Waiting
 /// threads spin for some microseconds, as loops of a time step follow each other closely, and then sleep, so
 /// that on a busy machine they leave their core to whoever they wait for. Where that waiting takes too long, the
-/// calling thread does all parts itself for some time.
+/// calling thread does all parts itself for some time. Within a task all parts of another one are done where it is called.
 void on_all_threads(void (*task)(void* context, int part), void* context);
 } // namespace parallel
 

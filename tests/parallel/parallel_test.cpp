@@ -41,6 +41,20 @@ TEST_P(Parallel, ManyShortLoopsSeeEachOthersResults)
   EXPECT_EQ(std::accumulate(value.begin(), value.end(), 0L), 64L * 5001);
 }
 
+TEST_P(Parallel, LoopsWithinLoopsDoAll)
+{
+  set_threads(GetParam());
+  constexpr int outer = 50, inner = 40;
+  std::array<std::array<int, inner>, outer> taken{};
+  parallel_each(outer, [&](int i) {
+    parallel_ranges(inner, [&](auto begin, auto end) {
+      for (auto j = begin; j < end; ++j) ++taken[i][j];
+    });
+  });
+  for (const auto& row : taken)
+    for (const int times : row) EXPECT_EQ(times, 1);
+}
+
 INSTANTIATE_TEST_SUITE_P(Threads, Parallel, testing::Values(1, 2, 3, 7));
 
 } // namespace
