@@ -12,18 +12,11 @@ namespace {
 constexpr int most_vectors = 80;
 constexpr double close_enough = 0.005; ///< what may be left, over the eigenvalue
 
-double product(std::span<const Vec3> a, std::span<const Vec3> b)
-{
-  return parallel_sum(a.size(), [&](std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t n = begin; n < end; ++n) sum += dot(a[n], b[n]);
-    return sum;
-  });
-}
-
 void scale(std::span<Vec3> v, double by)
 {
-  for (Vec3& x : v) x *= by;
+  parallel_ranges(static_cast<std::ptrdiff_t>(v.size()), [&](auto begin, auto end) {
+    for (auto n = begin; n < end; ++n) v[n] *= by;
+  });
 }
 
 /// The same every time for a mesh.
@@ -58,9 +51,8 @@ std::vector<Vec3> node_normals(std::span<const Triangle> triangles, std::span<co
 
 StepLimit::StepLimit(const Blank& blank, const Membrane& membrane, std::span<const double> mass, double shear_modulus,
                      std::span<const Bending> bending, const ToolSprings& springs)
-    : blank_(blank), membrane_(membrane), bending_(bending), shear_modulus_(shear_modulus), springs_(springs)
+    : blank_(blank), membrane_(membrane), mass_(mass), bending_(bending), shear_modulus_(shear_modulus), springs_(springs)
 {
-  for (const double m : mass) over_root_mass_.push_back(1.0 / std::sqrt(m));
   for (const Bending& b : bending) bending_damping_time_ = std::max(bending_damping_time_, b.damping_time);
 }
 
@@ -70,31 +62,42 @@ void StepLimit::hold_on_mirrors(std::span<Vec3> v) const
   for (const int n : blank_.mirror_y) v[n].y = 0.0;
 }
 
+double StepLimit::product(std::span<const Vec3> a, std::span<const Vec3> b) const
+{
+  return parallel_sum(a.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t n = begin; n < end; ++n) sum += mass_[n] * dot(a[n], b[n]);
+    return sum;
+  });
+}
+
 double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<const Vec3> normals, double dt) const
 {
   const double along = springs_.along + 2.0 * springs_.along_damping / dt;
   const double more = springs_.normal + 2.0 * springs_.normal_damping / dt - along;
-  const std::size_t nodes = over_root_mass_.size();
-  std::vector<Vec3> now = random_signs(nodes); // displacements
-  for (std::size_t n = 0; n < nodes; ++n) now[n] *= 1.0 / over_root_mass_[n];
-  std::vector<Vec3> before(nodes), motion(nodes);
+  const std::size_t nodes = mass_.size();
+  const std::span<const double> area = membrane_.node_area;
+  std::vector<Vec3> now = random_signs(nodes), before(nodes); // displacements, whose products count masses
   hold_on_mirrors(now);
-  scale(now, 1.0 / std::sqrt(product(now, now)));
   std::vector<double> diagonal, beside;
   LinearForces work;
-  double result = 0.0;
+  double result = 0.0, size = std::sqrt(product(now, now));
   while (static_cast<int>(diagonal.size()) < most_vectors) {
-    for (std::size_t n = 0; n < nodes; ++n) motion[n] = over_root_mass_[n] * now[n];
-    linear_forces(sheet, motion, work);
-    std::vector<Vec3>& next = work.force;
-    for (std::size_t n = 0; n < nodes; ++n) {
-      const Vec3 springs = along * now[n] + more * dot(normals[n], now[n]) * normals[n];
-      next[n] = membrane_.node_area[n] * over_root_mass_[n] * over_root_mass_[n] * springs - over_root_mass_[n] * next[n];
-    }
+    scale(now, 1.0 / size);
+    linear_forces(sheet, now, work);
+    std::vector<Vec3>& next = work.force; // M^-1 K of now
+    parallel_ranges(static_cast<std::ptrdiff_t>(nodes), [&](auto begin, auto end) {
+      for (auto n = begin; n < end; ++n) {
+        const Vec3 springs = along * now[n] + more * dot(normals[n], now[n]) * normals[n];
+        next[n] = (1.0 / mass_[n]) * (area[n] * springs - next[n]);
+      }
+    });
     hold_on_mirrors(next);
     diagonal.push_back(product(now, next));
-    const double back = beside.empty() ? 0.0 : beside.back();
-    for (std::size_t n = 0; n < nodes; ++n) next[n] -= diagonal.back() * now[n] + back * before[n];
+    const double back = beside.empty() ? 0.0 : beside.back(), own = diagonal.back();
+    parallel_ranges(static_cast<std::ptrdiff_t>(nodes), [&](auto begin, auto end) {
+      for (auto n = begin; n < end; ++n) next[n] -= own * now[n] + back * before[n];
+    });
     const double left = std::sqrt(product(next, next));
 
     const auto count = static_cast<Eigen::Index>(diagonal.size());
@@ -107,7 +110,8 @@ double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<
     if (residual <= close_enough * largest) break;
     beside.push_back(left);
     before.swap(now);
-    for (std::size_t n = 0; n < nodes; ++n) now[n] = (1.0 / left) * next[n];
+    now.swap(next);
+    size = left;
   }
   return result;
 }

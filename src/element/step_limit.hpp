@@ -28,14 +28,15 @@ public:
 private:
   [[nodiscard]] double largest_frequency_squared(const LinearSheet& sheet, std::span<const Vec3> normals, double dt) const;
   void hold_on_mirrors(std::span<Vec3> v) const;
+  [[nodiscard]] double product(std::span<const Vec3> a, std::span<const Vec3> b) const; // a . M b
 
   const Blank& blank_;
   const Membrane& membrane_;
+  std::span<const double> mass_; // n
   std::span<const Bending> bending_;
   double shear_modulus_;
   ToolSprings springs_;
   double bending_damping_time_ = 0.0;
-  std::vector<double> over_root_mass_; // n
 };
 
 } // namespace towform
