@@ -123,7 +123,7 @@ double advance(const Boundary& boundary, BoundaryState& b, State& s, double time
     const Vec3 from = boundary.place(i, before).position, to = boundary.place(i, b.displacement).position;
     s.position[n] = to;
     s.velocity[n] = (1.0 / dt) * (to - from);
-    s.mass_damping[n] = 0.0;
+    if (!s.mass_damping.empty()) s.mass_damping[n] = 0.0;
     fastest = std::max(fastest, norm(s.velocity[n]));
   }
   return fastest;

@@ -1,6 +1,7 @@
 #include "solver/model.hpp"
 #include "parallel/parallel.hpp"
 #include "solver/inertia.hpp"
+#include "solver/memory.hpp"
 #include "solver/placement.hpp"
 #include "solver/step.hpp"
 #include <algorithm>
@@ -178,6 +179,7 @@ Model build_model(const Case& c)
   model.mass_damping = c.time.mass_damping;
   model.shear_modulus = shear_modulus_bound(model.material);
   model.mirror_factor = mirror_factor(c.blank.symmetry);
+  give_back_memory();
   set_inertia(c, model);
   return model;
 }
@@ -188,7 +190,7 @@ System at_rest(const Model& model)
   s.sheet.position = model.blank.start_positions();
   s.sheet.velocity.assign(s.sheet.position.size(), {});
   s.sheet.force.assign(s.sheet.position.size(), {});
-  s.sheet.mass_damping.assign(s.sheet.position.size(), 0.0);
+  s.sheet.mass_damping.assign(model.mass_damping > 0.0 ? s.sheet.position.size() : 0, 0.0);
   start(model.membrane, s.sheet);
   s.bending.resize(model.bending.size());
   for (std::size_t i = 0; i < model.bending.size(); ++i)

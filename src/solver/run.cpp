@@ -3,6 +3,7 @@
 #include "output/hdf5.hpp"
 #include "parallel/parallel.hpp"
 #include "solver/gates.hpp"
+#include "solver/memory.hpp"
 #include "solver/mesh_warnings.hpp"
 #include "solver/recorder.hpp"
 #include "solver/run_text.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <malloc.h>
 #include <utility>
 
 namespace towform {
@@ -56,14 +56,6 @@ int useful_threads(const Model& model)
 {
   constexpr std::size_t elements_a_thread = 1500;
   return static_cast<int>(std::max<std::size_t>(1, model.membrane.triangles.size() / elements_a_thread));
-}
-
-/// Set-up leaves a great many small pieces free, which the C library would keep: a tenth of what a fine mesh takes.
-void give_back_memory()
-{
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
 }
 
 class ExplicitRun final : public SessionRun {
