@@ -33,13 +33,13 @@ struct State {
   std::vector<double> shear_angle;  ///< m, of ShearPoint at x_n [rad]
   std::vector<double> shear_force;  ///< m, likewise [N/m]
   std::vector<double> shear_rate;   ///< m, likewise [rad/s]
-  std::vector<Vec3> block_force;    ///< each block's own, of its nodes, summed per node in fixed order [N]
+  std::vector<Vec3> block_force;    ///< each block's own, of its nodes, summed per node in fixed order: membrane, then bending [N]
 
   // Since the start, per block of elements or node, so that sums are the same for any number of threads [J]
   std::vector<double> shear_work;       ///< per block, done on the sheet in shear
   std::vector<double> shear_dissipated; ///< per block
   std::vector<double> yarn_damping;     ///< per block
-  std::vector<double> mass_damping;     ///< n
+  std::vector<double> mass_damping;     ///< n, or empty without it
 };
 
 } // namespace towform

@@ -55,7 +55,6 @@ void start(const Bending& bending, std::span<const Vec3> position, BendingState&
   b.curvature = bending.curvature.at(position);
   b.held.assign(bending.interval > 1 ? position.size() : 0, {});
   b.damping.assign(bending.curvature.blocks.size(), 0.0);
-  b.block_force.assign(bending.curvature.slots.count(), {});
   b.image.assign(bending.curvature.images.size(), {});
 }
 
@@ -216,7 +215,7 @@ struct BendingWork {
   }
 };
 
-void bend_block(const Bending& bending, int number, const State& s, double dt, BendingState& b)
+void bend_block(const Bending& bending, int number, double dt, BendingState& b, State& s)
 {
   const CurvatureOperator::Block& block = bending.curvature.blocks[number];
   BendingWork& w = BendingWork::here();
@@ -225,7 +224,7 @@ void bend_block(const Bending& bending, int number, const State& s, double dt, B
   curve(block.nodes, w.lanes);
   b.damping[number] += bend(bending, block.first_node, block.nodes, dt, b.curvature.data() + block.first_node, w.lanes);
   turn(block.nodes, w.lanes);
-  w.give(bending, block, b.block_force);
+  w.give(bending, block, s.block_force);
 }
 
 void place_images(const Bending& bending, std::span<const Vec3> position, std::vector<Vec3>& image)
@@ -254,11 +253,12 @@ void bending_forces(const Bending& bending, BendingState& b, State& s, double dt
   const auto nodes = static_cast<std::ptrdiff_t>(s.force.size());
   if (s.step % bending.interval == 0) {
     place_images(bending, s.position, b.image);
+    s.block_force.resize(std::max(s.block_force.size(), bending.curvature.slots.count())); // the membrane's have been summed
     parallel_each(static_cast<int>(bending.curvature.blocks.size()),
-                  [&](int number) { bend_block(bending, number, s, bending.interval * dt, b); });
+                  [&](int number) { bend_block(bending, number, bending.interval * dt, b, s); });
     if (holds)
       parallel_ranges(nodes, [&](auto begin, auto end) { std::fill(b.held.begin() + begin, b.held.begin() + end, Vec3{}); });
-    assemble(bending, b.block_force, holds ? b.held : s.force);
+    assemble(bending, s.block_force, holds ? b.held : s.force);
   }
   if (!holds) return;
   parallel_ranges(nodes, [&](auto begin, auto end) {
@@ -272,7 +272,7 @@ void linear_bending_forces(const Bending& bending, double factor, std::span<cons
   std::vector<Vec3> image, image_motion;
   place_images(bending, position, image);
   place_images(bending, motion, image_motion);
-  block_force.resize(bending.curvature.slots.count());
+  block_force.resize(std::max(block_force.size(), bending.curvature.slots.count()));
   const double warp_stiffness = factor * bending.warp.stiffness(), weft_stiffness = factor * bending.weft.stiffness();
   parallel_each(static_cast<int>(bending.curvature.blocks.size()), [&](int number) {
     const CurvatureOperator::Block& block = bending.curvature.blocks[number];

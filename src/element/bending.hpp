@@ -34,7 +34,6 @@ struct BendingState {
   std::vector<YarnPair> curvature; ///< n, when the forces were last computed [1/m]
   std::vector<Vec3> held;          ///< n, forces of several steps [N]; empty where they are computed at each
   std::vector<double> damping;     ///< per block, lost in bending since the start [J]
-  std::vector<Vec3> block_force;   ///< each block's own, of its points [N]
   std::vector<Vec3> image;         ///< of the mirror images [m]
 };
 

@@ -1,19 +1,21 @@
 #include "element/element_blocks.hpp"
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace towform {
 
 namespace {
 
-/// Elements of `strips` (first, count) outside `own` elements from `first_element`, ascending.
-std::vector<int> guests_of(const YarnStrips& strips, const ElementBlocks::Block& b)
+/// Elements of a block's strips outside its own, in an order that `before` tells.
+template <class Before>
+std::vector<int> guests_of(const YarnStrips& strips, const ElementBlocks::Block& b, const Before& before)
 {
   std::vector<int> guests;
   for (int i = b.first_strip; i < b.first_strip + b.strips; ++i)
     for (const YarnEntry entry : strips.entries_of(static_cast<std::size_t>(i)))
       if (const int e = entry / 2; e < b.first_element || e >= b.first_element + b.own) guests.push_back(e);
-  std::sort(guests.begin(), guests.end());
+  std::sort(guests.begin(), guests.end(), before);
   guests.erase(std::unique(guests.begin(), guests.end()), guests.end());
   return guests;
 }
@@ -30,10 +32,12 @@ int strips_before(const YarnStrips& strips, int first, int end)
 
 } // namespace
 
-ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, std::span<const int> tiles, YarnStrips& strips)
+ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::span<const int> shape, std::size_t nodes,
+                             std::span<const int> tiles, YarnStrips& strips)
 {
   const int elements = static_cast<int>(triangles.size());
   entry.resize(strips.entry.size());
+  const auto before = [&](int e, int f) { return std::pair(shape[e], e) < std::pair(shape[f], f); };
   Block b;
   while (b.first_element < elements) {
     const auto next = std::upper_bound(tiles.begin(), tiles.end(), b.first_element);
@@ -41,7 +45,7 @@ ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t no
     std::vector<int> guests;
     while (true) {
       b.strips = strips_before(strips, b.first_strip, b.first_element + b.own);
-      guests = guests_of(strips, b);
+      guests = guests_of(strips, b, before);
       if (b.own + static_cast<int>(guests.size()) <= capacity) break;
       if (b.own == 1) throw std::length_error("the strips of yarn through one element have too many elements");
       b.own /= 2;
@@ -65,7 +69,7 @@ ElementBlocks::ElementBlocks(std::span<const Triangle> triangles, std::size_t no
         const int own_place = e - b.first_element;
         const auto place = own_place >= 0 && own_place < b.own
                                ? own_place
-                               : b.own + (std::lower_bound(guests.begin(), guests.end(), e) - guests.begin());
+                               : b.own + (std::lower_bound(guests.begin(), guests.end(), e, before) - guests.begin());
         entry[k] = static_cast<Entry>(place + stride * family);
       }
     b.first_of_others = static_cast<int>(of_others.size());

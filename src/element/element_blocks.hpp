@@ -20,7 +20,7 @@ struct ElementBlocks {
   /// Numbers of what belongs to a block in the arrays below.
   struct Block {
     int first_element = 0, own = 0; ///< elements
-    int places = 0;                 ///< own elements, then guests in ascending order
+    int places = 0;                 ///< own elements, then guests shape by shape
     int first_place = 0;            ///< in `element`; in `corner` and `coefficient` times 3 and 5
     int first_strip = 0, strips = 0;
     int first_of_others = 0, of_others = 0; ///< entries whose strips belong to other blocks
@@ -30,17 +30,19 @@ struct ElementBlocks {
   using Entry = std::uint16_t;
 
   std::vector<Block> blocks;
-  std::vector<int> element;          ///< of each place
+  std::vector<int> element;          ///< of each place; needed to lay out what belongs to places, and may be let go then
   std::vector<std::uint16_t> corner; ///< of each place three, counted within the block's nodes
   std::vector<Entry> entry;          ///< of all strips, in the order of YarnStrips::entry
   std::vector<Entry> of_others;      ///< entries of the blocks' places whose strips are other blocks'
   BlockSlots slots;                  ///< of nodes, for forces
 
   ElementBlocks() = default;
-  /// Blocks end where `tiles` do (first elements, ascending), and within them where they must. Strips must be in the order of
+  /// Blocks end where `tiles` do (first elements, ascending), and within them where they must. `shape` of each element
+  /// (element_shapes). Strips must be in the order of
   /// their first entries; those of a block are then sorted by length. Throws std::length_error when a single element's strips
   /// have more elements than a block has places.
-  ElementBlocks(std::span<const Triangle> triangles, std::size_t nodes, std::span<const int> tiles, YarnStrips& strips);
+  ElementBlocks(std::span<const Triangle> triangles, std::span<const int> shape, std::size_t nodes, std::span<const int> tiles,
+                YarnStrips& strips);
 
   /// Corners of a block's places, three each.
   [[nodiscard]] const std::uint16_t* corners(const Block& b) const

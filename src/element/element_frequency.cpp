@@ -13,7 +13,7 @@ void element_frequencies(const MembraneCoefficients& c, const OwnStiffness& stif
   const OwnStiffness own = stiffness;
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
-    const double warp_1 = c.warp_1[k], warp_2 = c.warp_2[k], weft_1 = c.weft_1[k], weft_2 = c.weft_2[k];
+    const double warp_1 = c.warp_1[i], warp_2 = c.warp_2[i], weft_1 = c.weft_1[i], weft_2 = c.weft_2[i];
     const double warp_0 = -warp_1 - warp_2, weft_0 = -weft_1 - weft_2;
     const double warp = warp_0 * warp_0 + warp_1 * warp_1 + warp_2 * warp_2;
     const double weft = weft_0 * weft_0 + weft_1 * weft_1 + weft_2 * weft_2;
@@ -23,7 +23,7 @@ void element_frequencies(const MembraneCoefficients& c, const OwnStiffness& stif
     const double yarns = own.spring * (0.5 * (warp + weft) + std::sqrt(half_off * half_off + coupled * coupled));
     const double shear = own.shear * std::sqrt(1.0 - sine * sine) *
                          (warp * over_1 * over_1 + weft * over_2 * over_2 - 2.0 * sine * both * over_1 * over_2);
-    to[i] = 3.0 * c.area[k] / masses[i] * (yarns + shear);
+    to[i] = 3.0 * c.area[i] / masses[i] * (yarns + shear);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "element/linear_sheet.hpp"
 #include "element/membrane_work.hpp"
 #include "parallel/parallel.hpp"
+#include <algorithm>
 #include <memory>
 
 namespace towform {
@@ -10,22 +11,23 @@ namespace {
 void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int number, Workplace& w,
                   std::span<Vec3> block_force)
 {
+  using Batch = MembraneBatches::Batch;
   const Membrane& membrane = sheet.membrane;
   const ElementBlocks::Block& block = membrane.blocks.blocks[number];
-  const MembraneCoefficients coefficients = membrane.coefficients(block);
+  const MembraneBatches& batches = membrane.batches;
   const std::uint16_t* corner = membrane.blocks.corners(block);
   const std::span<const int> nodes = membrane.blocks.slots.points(block.nodes);
   const double spring = membrane.own_stiffness;
   w.take(nodes, sheet.position);
-  in_batches(0, block.places, [&](int first, int count) {
-    gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
-    yarn_vectors(coefficients, w.batch, first, count, w.lanes);
-  });
+  for (const Batch& b : batches.all(number)) {
+    gather_edges(w.position.data(), corner + 3 * b.first, b.count, w.batch);
+    yarn_vectors(batches.coefficients(b), w.batch, b.first, b.count, w.lanes);
+  }
   w.take(nodes, motion);
-  in_batches(0, block.places, [&](int first, int count) {
-    gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
-    motion_strains(coefficients, w.batch, first, count, w.lanes);
-  });
+  for (const Batch& b : batches.all(number)) {
+    gather_edges(w.position.data(), corner + 3 * b.first, b.count, w.batch);
+    motion_strains(batches.coefficients(b), w.batch, b.first, b.count, w.lanes);
+  }
   const StripEntries entries = membrane.entries(block);
   sum_strips(entries, w.lanes, w.strips);
   const double stiffness = sheet.yarn_factor * membrane.yarn.stiffness - spring;
@@ -33,17 +35,18 @@ void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int nu
     w.strips.base_tension[i] = stiffness * w.strips.sum[i] / membrane.strips.area[block.first_strip + i];
   hand_out(entries, w.strips, w.lanes);
   leave_out(membrane.blocks.entries_of_others(block), w.lanes);
-  in_batches(0, block.own, [&](int first, int count) {
-    shear_angles(w.lanes, first, count, 0.0, w.batch);
-    gather_edges(w.position.data(), corner + 3 * first, count, w.batch);
-    motion_shear(coefficients, sheet.shear_modulus, w.lanes, first, count, w.batch);
-    shear_and_tension(coefficients, spring, w.lanes, first, count, w.batch);
-    add_forces(w.batch, corner + 3 * first, count, w.force.data());
-  });
-  in_batches(block.own, block.places, [&](int first, int count) {
-    tension(coefficients, spring, w.lanes, first, count, w.batch);
-    add_forces(w.batch, corner + 3 * first, count, w.force.data());
-  });
+  for (const Batch& b : batches.own(number)) {
+    const MembraneCoefficients c = batches.coefficients(b);
+    shear_angles(w.lanes, b.first, b.count, 0.0, w.batch);
+    gather_edges(w.position.data(), corner + 3 * b.first, b.count, w.batch);
+    motion_shear(c, sheet.shear_modulus, w.lanes, b.first, b.count, w.batch);
+    shear_and_tension(c, spring, w.lanes, b.first, b.count, w.batch);
+    add_forces(w.batch, corner + 3 * b.first, b.count, w.force.data());
+  }
+  for (const Batch& b : batches.guests(number)) {
+    tension(batches.coefficients(b), spring, w.lanes, b.first, b.count, w.batch);
+    add_forces(w.batch, corner + 3 * b.first, b.count, w.force.data());
+  }
   w.give(block.nodes, block_force);
 }
 
@@ -52,7 +55,7 @@ void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int nu
 void linear_forces(const LinearSheet& sheet, std::span<const Vec3> motion, LinearForces& f)
 {
   const ElementBlocks& blocks = sheet.membrane.blocks;
-  f.block_force.resize(blocks.slots.count());
+  f.block_force.resize(std::max(f.block_force.size(), blocks.slots.count()));
   f.force.resize(motion.size());
   parallel_each(blocks.count(), [&](int number) {
     static thread_local const std::unique_ptr<Workplace> workplace = std::make_unique<Workplace>();
@@ -60,7 +63,7 @@ void linear_forces(const LinearSheet& sheet, std::span<const Vec3> motion, Linea
   });
   assemble(blocks, f.block_force, f.force);
   for (const Bending& bending : sheet.bending)
-    linear_bending_forces(bending, sheet.bending_factor, sheet.position, motion, f.bending_block_force, f.force);
+    linear_bending_forces(bending, sheet.bending_factor, sheet.position, motion, f.block_force, f.force);
 }
 
 } // namespace towform

@@ -20,7 +20,7 @@ struct LinearSheet {
 /// Room for what LinearSheet works with, and the forces.
 struct LinearForces {
   std::vector<Vec3> force; ///< n, -K u [N]
-  std::vector<Vec3> block_force, bending_block_force;
+  std::vector<Vec3> block_force;
 };
 
 /// f.force = -K u for `motion` u [m].

@@ -81,7 +81,7 @@ std::vector<double> lumping_factors(const Blank& blank, const Membrane& membrane
   const bool strips_are_elements = membrane.strips.size() == 2 * membrane.triangles.size();
   const std::vector<NodeSums> sums =
       part ? sums_of_whole(blank, strips_are_elements)
-           : sums_of(membrane.triangles, membrane.area, membrane.strips, StripParts(membrane), membrane.node_area.size());
+           : sums_of(membrane.triangles, membrane.areas(), membrane.strips, StripParts(membrane), membrane.node_area.size());
   double thirds = 0.0, wanted = 0.0;
   for (const NodeSums& s : sums) {
     thirds += s.third();

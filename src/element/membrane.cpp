@@ -1,6 +1,7 @@
 #include "element/membrane.hpp"
 #include "element/arcsine.hpp"
 #include "element/membrane_work.hpp"
+#include "mesh/element_shapes.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <array>
@@ -25,46 +26,37 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
     : triangles(blank.mesh.triangles), node_area(blank.mesh.points.size(), 0.0),
       reference_sine(dot(blank.warp, blank.weft)), thickness(blank.thickness), yarn(yarn_law), law(std::move(fabric_law))
 {
-  std::vector<YarnGradients> gradients;
-  gradients.reserve(triangles.size());
-  area.reserve(triangles.size());
+  std::vector<FlatTriangle> flat;
+  flat.reserve(triangles.size());
   for (const Triangle& t : triangles) {
-    const FlatTriangle flat = flat_triangle(blank, t);
-    gradients.push_back(flat.gradients);
-    area.push_back(flat.area);
-    for (const int node : t) node_area[node] += flat.area / 3.0;
+    flat.push_back(flat_triangle(blank, t));
+    for (const int node : t) node_area[node] += flat.back().area / 3.0;
   }
   const bool own =
       yarn_strain == YarnStrain::triangle || (yarn_strain == YarnStrain::automatic && follows_yarns(blank));
+  std::vector<double> area;
+  area.reserve(flat.size());
+  for (const FlatTriangle& t : flat) area.push_back(t.area);
   strips = own ? strips_of_one(area) : lay_strips(blank, area);
-  blocks = ElementBlocks(triangles, node_area.size(), blank.tiles, strips);
-  fill_places(gradients);
-}
-
-void Membrane::fill_places(std::span<const YarnGradients> gradients)
-{
-  coefficients_.reserve(5 * blocks.element.size());
-  for (ElementBlocks::Block& b : blocks.blocks) {
-    const std::size_t places = static_cast<std::size_t>(b.places), first = coefficients_.size();
-    coefficients_.resize(first + 5 * places);
-    for (std::size_t i = 0; i < places; ++i) {
-      const auto e = static_cast<std::size_t>(blocks.element[static_cast<std::size_t>(b.first_place) + i]);
-      const YarnGradients& g = gradients[e];
-      const std::array<double, 5> of_place{g.warp_1, g.warp_2, g.weft_1, g.weft_2, area[e]};
-      for (std::size_t k = 0; k < 5; ++k) coefficients_[first + k * places + i] = of_place[k];
-    }
-  }
-}
-
-MembraneCoefficients Membrane::coefficients(const ElementBlocks::Block& b) const
-{
-  const double* first = coefficients_.data() + 5 * static_cast<std::ptrdiff_t>(b.first_place);
-  return {first, first + b.places, first + 2 * b.places, first + 3 * b.places, first + 4 * b.places};
+  const std::vector<int> shape = element_shapes(blank.mesh);
+  blocks = ElementBlocks(triangles, shape, node_area.size(), blank.tiles, strips);
+  batches = MembraneBatches(blocks, shape, flat);
+  // What has been laid out is known by blocks.
+  blocks.element = {};
+  strips.entry = {};
 }
 
 StripEntries Membrane::entries(const ElementBlocks::Block& b) const
 {
   return {strips.first.data() + b.first_strip, blocks.entry.data(), b.strips};
+}
+
+std::vector<double> Membrane::areas() const
+{
+  std::vector<double> area(triangles.size());
+  for (int block = 0; block < blocks.count(); ++block)
+    each_own(block, [&](std::size_t e, const FlatTriangle& flat) { area[e] = flat.area; });
+  return area;
 }
 
 double Membrane::yarn_energy(const State& s) const
@@ -76,11 +68,11 @@ double Membrane::yarn_energy(const State& s) const
   });
   std::vector<double> of_springs(blocks.blocks.size());
   parallel_each(blocks.count(), [&](int number) {
-    each_own(blocks.blocks[number], [&](std::size_t e, const YarnGradients& gradients) {
-      const YarnVectors y(triangles[e], gradients, s.position);
+    each_own(number, [&](std::size_t e, const FlatTriangle& flat) {
+      const YarnVectors y(triangles[e], flat.gradients, s.position);
       const double warp = y.lambda1 - 1.0 - s.strip_strain[strips.of[2 * e]];
       const double weft = y.lambda2 - 1.0 - s.strip_strain[strips.of[2 * e + 1]];
-      of_springs[number] += 0.5 * own_stiffness * area[e] * (warp * warp + weft * weft);
+      of_springs[number] += 0.5 * own_stiffness * flat.area * (warp * warp + weft * weft);
     });
   });
   return std::accumulate(of_springs.begin(), of_springs.end(), of_strips);
@@ -118,38 +110,41 @@ class BlockWork {
 public:
   BlockWork(const Membrane& membrane, const Law& law, State& s, double dt, int number, Workplace& w)
       : membrane_(membrane), law_(law), s_(s), dt_(dt), number_(number), w_(w),
-        block_(membrane.blocks.blocks[number]), coefficients_(membrane.coefficients(block_)),
-        corner_(membrane.blocks.corners(block_)),
+        block_(membrane.blocks.blocks[number]), corner_(membrane.blocks.corners(block_)),
         spring_(membrane.own_stiffness), reference_angle_(arcsine(membrane.reference_sine))
   {
   }
 
   void go()
   {
+    const MembraneBatches& batches = membrane_.batches;
     w_.take(membrane_.blocks.slots.points(block_.nodes), s_.position);
-    in_batches(0, block_.places, [&](int first, int count) {
-      gather_edges(w_.position.data(), corner_ + 3 * first, count, w_.batch);
-      yarn_vectors(coefficients_, w_.batch, first, count, w_.lanes);
-    });
+    for (const Batch& b : batches.all(number_)) {
+      gather_edges(w_.position.data(), corner_ + 3 * b.first, b.count, w_.batch);
+      yarn_vectors(batches.coefficients(b), w_.batch, b.first, b.count, w_.lanes);
+    }
     tension_of_strips();
     double work = 0.0, dissipated = 0.0;
-    in_batches(0, block_.own, [&](int first, int count) {
-      shear(first, count);
-      shear_and_tension(coefficients_, spring_, w_.lanes, first, count, w_.batch);
-      work += sum(w_.batch.work, count);
-      dissipated += sum(w_.batch.dissipated, count);
-      add_forces(w_.batch, corner_ + 3 * first, count, w_.force.data());
-    });
-    in_batches(block_.own, block_.places, [&](int first, int count) {
-      tension(coefficients_, spring_, w_.lanes, first, count, w_.batch);
-      add_forces(w_.batch, corner_ + 3 * first, count, w_.force.data());
-    });
+    for (const Batch& b : batches.own(number_)) {
+      const MembraneCoefficients c = batches.coefficients(b);
+      shear(c, b);
+      shear_and_tension(c, spring_, w_.lanes, b.first, b.count, w_.batch);
+      work += sum(w_.batch.work, b.count);
+      dissipated += sum(w_.batch.dissipated, b.count);
+      add_forces(w_.batch, corner_ + 3 * b.first, b.count, w_.force.data());
+    }
+    for (const Batch& b : batches.guests(number_)) {
+      tension(batches.coefficients(b), spring_, w_.lanes, b.first, b.count, w_.batch);
+      add_forces(w_.batch, corner_ + 3 * b.first, b.count, w_.force.data());
+    }
     s_.shear_work[number_] += work;
     s_.shear_dissipated[number_] += dissipated;
     w_.give(block_.nodes, s_.block_force);
   }
 
 private:
+  using Batch = MembraneBatches::Batch;
+
   /// Tensions of the block's strips, handed to their entries.
   void tension_of_strips()
   {
@@ -165,14 +160,14 @@ private:
   }
 
   /// Advances the law's points.
-  void shear(int first, int count)
+  void shear(const MembraneCoefficients& c, const Batch& b)
   {
-    const std::ptrdiff_t e = block_.first_element + first;
+    const std::ptrdiff_t e = block_.first_element + b.first;
     const ShearLanes state{s_.sine.data() + e, s_.shear_angle.data() + e, s_.shear_force.data() + e,
                            s_.shear_rate.data() + e};
-    shear_angles(w_.lanes, first, count, reference_angle_, w_.batch);
-    update(law_, state, w_.batch, count, dt_);
-    keep(coefficients_.area + first, dt_, count, w_.batch, state);
+    shear_angles(w_.lanes, b.first, b.count, reference_angle_, w_.batch);
+    update(law_, state, w_.batch, b.count, dt_);
+    keep(c.area, dt_, b.count, w_.batch, state);
   }
 
   const Membrane& membrane_;
@@ -182,7 +177,6 @@ private:
   int number_;
   Workplace& w_;
   const ElementBlocks::Block& block_;
-  MembraneCoefficients coefficients_;
   const std::uint16_t* corner_;
   double spring_, reference_angle_;
 };

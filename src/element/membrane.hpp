@@ -1,6 +1,6 @@
 #pragma once
 #include "element/element_blocks.hpp"
-#include "element/membrane_lanes.hpp"
+#include "element/membrane_batches.hpp"
 #include "element/yarn.hpp"
 #include "element/yarn_strips.hpp"
 #include "material/fabric_law.hpp"
@@ -12,17 +12,7 @@
 
 namespace towform {
 
-/// Yarn vectors of a triangle are weighted sums of its edges from corner 0:
-/// F f01 = warp_1 (x1 - x0) + warp_2 (x2 - x0), likewise weft, with warp_k = grad N_k . f01 [1/m].
-struct YarnGradients {
-  double warp_1, warp_2, weft_1, weft_2;
-};
-
-/// A triangle of the flat blank. Throws std::invalid_argument when it has no area or is turned over.
-struct FlatTriangle {
-  YarnGradients gradients;
-  double area; ///< [m^2]
-};
+/// Throws std::invalid_argument when it has no area or is turned over.
 FlatTriangle flat_triangle(const Blank& blank, const Triangle& t);
 
 /// An element's yarns: F f0 = lambda f.
@@ -50,11 +40,11 @@ struct YarnVectors {
 ///   sum over strips A w(mean) + sum over entries A K (own - mean)^2 / 2,
 /// so that forces are its exact derivative.
 struct Membrane {
-  std::vector<Triangle> triangles; ///< m
-  std::vector<double> area;        ///< m, reference [m^2]
+  std::span<const Triangle> triangles; ///< m, of the blank, which must outlive the membrane
   std::vector<double> node_area;   ///< n, a third of the elements round a node [m^2]
   YarnStrips strips;
   ElementBlocks blocks;
+  MembraneBatches batches;
   double reference_sine = 0.0; ///< f01 . f02
   double thickness = 0.0;      ///< [m]
   YarnLaw yarn;
@@ -67,21 +57,21 @@ struct Membrane {
 
   /// Elastic energy of all yarns at the state's strains [J].
   [[nodiscard]] double yarn_energy(const State& s) const;
-  /// What a block's elements are made of.
-  [[nodiscard]] MembraneCoefficients coefficients(const ElementBlocks::Block& block) const;
   [[nodiscard]] StripEntries entries(const ElementBlocks::Block& block) const;
-  /// work(element, gradients) for a block's own elements.
+  /// Reference areas of the elements, m [m^2].
+  [[nodiscard]] std::vector<double> areas() const;
+  /// work(element, flat triangle) for a block's own elements.
   template <class Work>
-  void each_own(const ElementBlocks::Block& block, const Work& work) const
+  void each_own(int block, const Work& work) const
   {
-    const MembraneCoefficients c = coefficients(block);
-    for (int i = 0; i < block.own; ++i)
-      work(static_cast<std::size_t>(block.first_element + i), YarnGradients{c.warp_1[i], c.warp_2[i], c.weft_1[i], c.weft_2[i]});
+    const int first_element = blocks.blocks[block].first_element;
+    for (const MembraneBatches::Batch& b : batches.own(block)) {
+      const MembraneCoefficients c = batches.coefficients(b);
+      for (int i = 0; i < b.count; ++i)
+        work(static_cast<std::size_t>(first_element + b.first + i),
+             FlatTriangle{{c.warp_1[i], c.warp_2[i], c.weft_1[i], c.weft_2[i]}, c.area[i]});
+    }
   }
-
-private:
-  void fill_places(std::span<const YarnGradients> gradients);
-  std::vector<double> coefficients_; // by block, each coefficient of all its places
 };
 
 /// Sizes the membrane's arrays of a state whose positions are set, stress-free at the reference.

@@ -9,12 +9,6 @@
 namespace towform {
 
 namespace {
-/// The coefficients of places first, first + 1, …
-inline MembraneCoefficients from(const MembraneCoefficients& c, int first)
-{
-  return {c.warp_1 + first, c.warp_2 + first, c.weft_1 + first, c.weft_2 + first, c.area + first};
-}
-
 /// The part of a motion's yarn vector g_1 d1 + g_2 d2 along (x, y, z).
 inline double along(double x, double y, double z, double g_1, double g_2, const MembraneBatch& b, int i)
 {
@@ -33,7 +27,7 @@ TOWFORM_VECTOR_CLONES
 void yarn_vectors(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count,
                   BlockLanes& __restrict lanes)
 {
-  const MembraneCoefficients g = from(c, first);
+  const MembraneCoefficients g = c;
   for (int i = 0; i < count; ++i) {
     const double a1x = g.warp_1[i] * b.d1x[i] + g.warp_2[i] * b.d2x[i];
     const double a1y = g.warp_1[i] * b.d1y[i] + g.warp_2[i] * b.d2y[i];
@@ -110,7 +104,7 @@ TOWFORM_VECTOR_CLONES
 void shear_and_tension(const MembraneCoefficients& c, double spring, const BlockLanes& __restrict lanes, int first,
                        int count, MembraneBatch& __restrict b)
 {
-  const MembraneCoefficients g = from(c, first);
+  const MembraneCoefficients g = c;
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const double area = g.area[i], sine = b.sine[i], force = b.force[i];
@@ -137,7 +131,7 @@ TOWFORM_VECTOR_CLONES
 void tension(const MembraneCoefficients& c, double spring, const BlockLanes& __restrict lanes, int first, int count,
              MembraneBatch& __restrict b)
 {
-  const MembraneCoefficients g = from(c, first);
+  const MembraneCoefficients g = c;
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const double warp = pull_of(lanes, g.area[i], spring, k);
@@ -197,7 +191,7 @@ TOWFORM_VECTOR_CLONES
 void motion_strains(const MembraneCoefficients& c, const MembraneBatch& __restrict b, int first, int count,
                     BlockLanes& __restrict lanes)
 {
-  const MembraneCoefficients g = from(c, first);
+  const MembraneCoefficients g = c;
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const double warp = along(lanes.f1x[k], lanes.f1y[k], lanes.f1z[k], g.warp_1[i], g.warp_2[i], b, i);
@@ -212,7 +206,7 @@ TOWFORM_VECTOR_CLONES
 void motion_shear(const MembraneCoefficients& c, double modulus, const BlockLanes& __restrict lanes, int first, int count,
                   MembraneBatch& __restrict b)
 {
-  const MembraneCoefficients g = from(c, first);
+  const MembraneCoefficients g = c;
   for (int i = 0; i < count; ++i) {
     const int k = first + i;
     const double sine = b.sine[i];

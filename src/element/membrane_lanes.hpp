@@ -45,7 +45,7 @@ struct ShearLanes {
   double *sine, *angle, *force, *rate;
 };
 
-/// What an element is made of, per place: gradients [1/m] and reference area [m^2]. Sizes: places of the block.
+/// What the elements of a batch are made of: gradients [1/m] and reference areas [m^2].
 struct MembraneCoefficients {
   const double *warp_1, *warp_2, *weft_1, *weft_2, *area;
 };

@@ -1,6 +1,5 @@
 #pragma once
 #include "element/membrane_lanes.hpp"
-#include <algorithm>
 #include <array>
 #include <span>
 
@@ -28,12 +27,5 @@ struct Workplace {
     }
   }
 };
-
-/// work(first, count) on batches of the places first .. end - 1.
-template <class Work>
-void in_batches(int first, int end, const Work& work)
-{
-  for (; first < end; first += MembraneBatch::size) work(first, std::min(MembraneBatch::size, end - first));
-}
 
 } // namespace towform

@@ -19,13 +19,6 @@ double largest(const std::vector<double>& v)
 
 } // namespace
 
-template <class Work>
-void StepBound::each_node(std::size_t strip, const Work& work) const
-{
-  for (const YarnEntry entry : membrane_.strips.entries_of(strip))
-    for (const int n : membrane_.triangles[entry / 2]) work(n);
-}
-
 StepBound::StepBound(const Membrane& membrane, const SheetMass& mass, double shear_modulus, std::span<const Bending> bending)
     : membrane_(membrane), mass_(mass), shear_modulus_(shear_modulus)
 {
@@ -89,16 +82,15 @@ void StepBound::find_element_frequencies(const State& s, std::vector<double>& sq
     static thread_local const std::unique_ptr<Workplace> workplace = std::make_unique<Workplace>();
     Workplace& w = *workplace;
     const ElementBlocks::Block& block = blocks.blocks[number];
-    const MembraneCoefficients coefficients = membrane_.coefficients(block);
     w.take(blocks.slots.points(block.nodes), s.position);
-    in_batches(0, block.own, [&](int first, int count) {
-      const std::ptrdiff_t e = block.first_element + first;
-      gather_edges(w.position.data(), blocks.corners(block) + 3 * first, count, w.batch);
-      yarn_vectors(coefficients, w.batch, first, count, w.lanes);
-      shear_angles(w.lanes, first, count, 0.0, w.batch);
-      element_frequencies(coefficients, stiffness, w.lanes, first, count, w.batch, mass_.element.data() + e,
-                          squared.data() + e);
-    });
+    for (const MembraneBatches::Batch& b : membrane_.batches.own(number)) {
+      const MembraneCoefficients c = membrane_.batches.coefficients(b);
+      const std::ptrdiff_t e = block.first_element + b.first;
+      gather_edges(w.position.data(), blocks.corners(block) + 3 * b.first, b.count, w.batch);
+      yarn_vectors(c, w.batch, b.first, b.count, w.lanes);
+      shear_angles(w.lanes, b.first, b.count, 0.0, w.batch);
+      element_frequencies(c, stiffness, w.lanes, b.first, b.count, w.batch, mass_.element.data() + e, squared.data() + e);
+    }
   });
   for (double& of_element : squared) of_element /= least_share_;
 }
@@ -111,13 +103,14 @@ StepBound::Frequencies StepBound::frequencies(const State& s) const
   if (!s.sine.empty()) // else the flat sheet
     for (std::size_t e = 0; e < s.sine.size(); ++e)
       for (const int n : membrane_.triangles[e]) steepest[n] = std::max(steepest[n], std::abs(s.sine[e]));
-  parallel_ranges(static_cast<std::ptrdiff_t>(f.strip.size()), [&](auto begin, auto end) {
-    for (auto i = begin; i < end; ++i) {
-      double sine = 0.0;
-      each_node(static_cast<std::size_t>(i), [&](int n) { sine = std::max(sine, steepest[n]); });
-      f.strip[i] *= 1.0 + sine;
-    }
-  });
+  std::vector<double> steepest_of_strip(f.strip.size(), 0.0);
+  for (std::size_t e = 0; e < membrane_.triangles.size(); ++e) {
+    const auto& [a, b, c] = membrane_.triangles[e];
+    const double sine = std::max({steepest[a], steepest[b], steepest[c]});
+    for (const int strip : {membrane_.strips.of[2 * e], membrane_.strips.of[2 * e + 1]})
+      steepest_of_strip[strip] = std::max(steepest_of_strip[strip], sine);
+  }
+  for (std::size_t i = 0; i < f.strip.size(); ++i) f.strip[i] *= 1.0 + steepest_of_strip[i];
   find_element_frequencies(s, f.element);
   return f;
 }
@@ -130,9 +123,12 @@ StableStep StepBound::at(const State& s) const
     return static_cast<std::size_t>(std::max_element(v.begin(), v.end()) - v.begin());
   };
   int limiting = static_cast<int>(place(f.element));
-  if (strip > element) limiting = membrane_.strips.entries_of(place(f.strip)).front() / 2;
+  if (strip > element) {
+    const std::vector<int>& of = membrane_.strips.of;
+    limiting = static_cast<int>(std::find(of.begin(), of.end(), static_cast<int>(place(f.strip))) - of.begin()) / 2;
+  }
   if (bending > std::max(strip, element)) {
-    const std::vector<Triangle>& all = membrane_.triangles;
+    const std::span<const Triangle> all = membrane_.triangles;
     const auto node = static_cast<int>(place(bending_));
     const auto holds_node = [node](const Triangle& t) { return std::find(t.begin(), t.end(), node) != t.end(); };
     limiting = static_cast<int>(std::find_if(all.begin(), all.end(), holds_node) - all.begin());
@@ -152,8 +148,9 @@ std::vector<double> StepBound::mass_factors(const State& s, double wanted) const
   const double strip_limit = allowed * strip / sum, element_limit = allowed * element / sum;
   const double bending_limit = allowed * bending / sum;
   std::vector<double> node(membrane_.node_area.size(), 1.0);
-  for (std::size_t i = 0; i < f.strip.size(); ++i)
-    each_node(i, [&](int n) { node[n] = std::max(node[n], f.strip[i] / strip_limit); });
+  for (std::size_t entry = 0; entry < membrane_.strips.of.size(); ++entry)
+    for (const int n : membrane_.triangles[entry / 2])
+      node[n] = std::max(node[n], f.strip[membrane_.strips.of[entry]] / strip_limit);
   std::vector<double> factor(mass_.element.size());
   for (std::size_t e = 0; e < factor.size(); ++e) {
     factor[e] = std::max(1.0, f.element[e] / element_limit);

@@ -43,9 +43,6 @@ private:
     std::vector<double> strip, element; ///< omega^2 [1/s^2]
   };
   void share_masses();
-  /// work(node) for the nodes of a strip's elements, some of them several times.
-  template <class Work>
-  void each_node(std::size_t strip, const Work& work) const;
   void find_element_frequencies(const State& s, std::vector<double>& squared) const;
   [[nodiscard]] Frequencies frequencies(const State& s) const;
   [[nodiscard]] double step_of(double in_plane, double of_bending) const;

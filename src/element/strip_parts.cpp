@@ -15,9 +15,15 @@ std::array<YarnPair, 3> corner_gradients(const YarnGradients& g)
 std::vector<YarnGradients> gradients_of(const Membrane& membrane)
 {
   std::vector<YarnGradients> of_element(membrane.triangles.size());
-  for (const ElementBlocks::Block& block : membrane.blocks.blocks)
-    membrane.each_own(block, [&](std::size_t e, const YarnGradients& g) { of_element[e] = g; });
+  for (int block = 0; block < membrane.blocks.count(); ++block)
+    membrane.each_own(block, [&](std::size_t e, const FlatTriangle& flat) { of_element[e] = flat.gradients; });
   return of_element;
+}
+
+YarnStrips with_entries(YarnStrips strips)
+{
+  strips.find_entries();
+  return strips;
 }
 
 } // namespace
@@ -48,7 +54,7 @@ StripParts::StripParts(std::span<const Triangle> triangles, std::span<const Yarn
 }
 
 StripParts::StripParts(const Membrane& membrane)
-    : StripParts(membrane.triangles, gradients_of(membrane), membrane.area, membrane.strips)
+    : StripParts(membrane.triangles, gradients_of(membrane), membrane.areas(), with_entries(membrane.strips))
 {
 }
 

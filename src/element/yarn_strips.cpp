@@ -180,6 +180,13 @@ YarnStrips collected(const std::vector<std::vector<YarnEntry>>& lists, std::span
 
 } // namespace
 
+void YarnStrips::find_entries()
+{
+  std::vector<int> next(first.begin(), first.end() - 1);
+  entry.resize(of.size());
+  for (std::size_t i = 0; i < of.size(); ++i) entry[static_cast<std::size_t>(next[of[i]]++)] = static_cast<YarnEntry>(i);
+}
+
 void YarnStrips::sort_by_length(int begin, int count)
 {
   struct Strip {

@@ -25,7 +25,7 @@ struct YarnStrips {
   static constexpr int fewest_entries = 3; ///< a strip of fewer elements joins its neighbour along the yarn
 
   std::vector<int> first;       ///< s + 1
-  std::vector<YarnEntry> entry; ///< 2m, by strip, ascending in each
+  std::vector<YarnEntry> entry; ///< 2m, by strip, ascending in each; or none, which `of` tells as well
   std::vector<int> of;          ///< 2m, strip of every entry
   std::vector<double> area;     ///< s, sum over the entries [m^2]
 
@@ -34,6 +34,8 @@ struct YarnStrips {
   {
     return {entry.data() + first[strip], entry.data() + first[strip + 1]};
   }
+  /// Makes `entry` from `of`.
+  void find_entries();
   /// Puts `count` strips from `begin` on into the order of their lengths: loops over their entries then end as the
   /// processor expects.
   void sort_by_length(int begin, int count);

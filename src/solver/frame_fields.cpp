@@ -50,8 +50,8 @@ void fill_yarns(const FrameState& s, std::vector<T>& field, const Value& value)
   const Membrane& membrane = s.model.membrane;
   field.resize(membrane.triangles.size());
   parallel_each(membrane.blocks.count(), [&](int number) {
-    membrane.each_own(membrane.blocks.blocks[number], [&](std::size_t e, const YarnGradients& gradients) {
-      field[e] = value(e, YarnVectors(membrane.triangles[e], gradients, s.sheet().position));
+    membrane.each_own(number, [&](std::size_t e, const FlatTriangle& flat) {
+      field[e] = value(e, YarnVectors(membrane.triangles[e], flat.gradients, s.sheet().position));
     });
   });
 }

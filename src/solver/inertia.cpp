@@ -128,8 +128,9 @@ void set_inertia(const Case& c, Model& model)
   State sheet;
   sheet.position = model.blank.mesh.points;
   const double per_area = c.material.constituents.density * c.blank.thickness;
-  const double own_mass = per_area * std::accumulate(membrane.area.begin(), membrane.area.end(), 0.0);
-  for (const double area : membrane.area) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
+  const std::vector<double> areas = membrane.areas();
+  const double own_mass = per_area * std::accumulate(areas.begin(), areas.end(), 0.0);
+  for (const double area : areas) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
   model.safety = c.time.safety;
   const std::vector<double> lumping = find_lumping(c, model);
   model.mass = lumped(membrane, model.element_mass, lumping);
@@ -139,8 +140,7 @@ void set_inertia(const Case& c, Model& model)
   model.added_mass_fraction = std::max( // not less than none in the last digit
       0.0, std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0);
   double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
-  for (std::size_t e = 0; e < membrane.area.size(); ++e)
-    lightest = std::min(lightest, model.element_mass[e] / membrane.area[e]);
+  for (std::size_t e = 0; e < areas.size(); ++e) lightest = std::min(lightest, model.element_mass[e] / areas[e]);
   model.wave_speed = std::sqrt(membrane.yarn.stiffness / lightest);
   model.first_step = model.safety * model.first_look.step;
   if (c.time.subcycling)

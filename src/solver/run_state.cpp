@@ -47,11 +47,11 @@ void visit(FieldVisitor& v, State& s)
 
 void visit(FieldVisitor& v, BendingState& s)
 {
-  auto& [curvature, held, damping, block_force, image] = s;
+  auto& [curvature, held, damping, image] = s;
   v("curvature", curvature);
   v("held", held);
   v("damping", damping);
-  for (const char* name : {"block_force", "image"}) v.rebuilt(name);
+  v.rebuilt("image");
 }
 
 void visit(FieldVisitor& v, PressureState& s)

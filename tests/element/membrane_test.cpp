@@ -241,7 +241,7 @@ TEST(StepBound, IsBelowTheTrueLimitAndNotFarBelow)
       const Blank blank = test::blank(pattern, 0.0, 0.0, 200);
       Membrane membrane(blank, taut, test::law(LawKind::viscous));
       std::vector<double> element_mass;
-      for (const double area : membrane.area) element_mass.push_back(1.48 * area);
+      for (const double area : membrane.areas()) element_mass.push_back(1.48 * area);
       const std::vector<double> mass = in_thirds(membrane, element_mass);
       std::vector<Vec3> x = blank.mesh.points;
       for (Vec3& p : x) p = {p.x + std::sin(shear) * p.y, std::cos(shear) * p.y, 0.0};

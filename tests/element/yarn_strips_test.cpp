@@ -16,7 +16,7 @@ const FabricLaw& any_law()
   return law;
 }
 
-std::vector<double> areas(const Blank& blank) { return Membrane(blank, YarnLaw{1e6, 0.1}, any_law()).area; }
+std::vector<double> areas(const Blank& blank) { return Membrane(blank, YarnLaw{1e6, 0.1}, any_law()).areas(); }
 
 TEST(YarnStrips, HoldEveryYarnOfEveryElementOnce)
 {

@@ -105,9 +105,10 @@ TEST_F(Gate, SelectiveMassScalingLeavesTheFastestWavesAsTheyAre)
   const Model model = build_model(c);
   EXPECT_GT(model.added_mass_fraction, 0.1);
   EXPECT_LE(model.wave_speed, 822.1);
+  const std::vector<double> area = model.membrane.areas();
   for (std::size_t e = 0; e < model.element_mass.size(); ++e)
     EXPECT_GE((1.0 + 1e-12) * model.wave_speed,
-              std::sqrt(model.membrane.yarn.stiffness * model.membrane.area[e] / model.element_mass[e]));
+              std::sqrt(model.membrane.yarn.stiffness * area[e] / model.element_mass[e]));
 }
 
 TEST_F(Gate, YarnStrain)
