@@ -137,17 +137,19 @@ Model build_model(const Case& c)
 {
   std::vector<Made<Tool>> read_tools(c.tools.size());
   Made<Blank> meshed;
-  parallel_each(static_cast<int>(c.tools.size()) + 1, [&](int i) {
-    const auto number = static_cast<std::size_t>(i);
-    if (number < c.tools.size())
-      read_tools[number].make([&] { return read_tool(c.tools[number]); });
-    else
+  Made<FabricMaterial> tabled;
+  const auto tools_to_read = static_cast<int>(c.tools.size());
+  parallel_each(tools_to_read + 2, [&](int i) {
+    if (i < tools_to_read)
+      read_tools[i].make([&] { return read_tool(c.tools[i]); });
+    else if (i == tools_to_read)
       meshed.make([&] { return make_blank(c.blank); });
+    else
+      tabled.make([&] { return make_fabric_material(c.material, c.blank.thickness); });
   });
   std::vector<InputIssue> issues;
   auto blank = input(c, c.blank.mesh.empty() ? "blank" : "blank.mesh", issues, [&] { return meshed.take(); });
-  auto material =
-      input(c, "material", issues, [&] { return make_fabric_material(c.material, c.blank.thickness); });
+  auto material = input(c, "material", issues, [&] { return tabled.take(); });
   std::vector<Tool> tools = tools_from(read_tools, c, issues);
   if (blank && tools.size() == c.tools.size()) check_placement(c, *blank, tools, issues);
   std::vector<Boundary> boundaries;

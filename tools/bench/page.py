@@ -55,6 +55,12 @@ def peak_share(kernels):
             f"lies in memory and {flops / peak['arithmetic']:.0f} ns of arithmetic alone.")
 
 
+def each_more(runs):
+    """What an element more takes of memory, from the two finest meshes on one thread [bytes]."""
+    coarser, finer = [(r["elements"], r["elements"] * r["bytes"]) for r in runs if r["threads"] == 1][-2:]
+    return (finer[1] - coarser[1]) / (finer[0] - coarser[0])
+
+
 def write(text):
     """The page from the tables as they stand; `text` is the part that a person wrote."""
     kernels, runs, features, busy, whole, pareto, convergence = (
@@ -67,7 +73,9 @@ def write(text):
     if runs:
         parts += ["## Sizes and threads\n", "The double dome with everything on, bending too; the first steps of the press.\n",
                   table(("elements", "threads", "ns per element-step, least", "median", *STEPPING, "bytes per element"),
-                        [(r["elements"], r["threads"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", *phases(r), f"{r['bytes']:.0f}") for r in runs])]
+                        [(r["elements"], r["threads"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", *phases(r), f"{r['bytes']:.0f}") for r in runs]),
+                  f"Bytes are the most that the program had, with its libraries and the tools. From the second finest mesh to the finest each "
+                  f"element more takes {each_more(runs):.0f}.\n"]
     if features:
         parts += ["## What each part costs\n", "One thread, the first 1,500 steps of the double dome.\n",
                   table(("what", "ns per element-step, least", "median", "over everything", *STEPPING, "output"),
