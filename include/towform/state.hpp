@@ -33,7 +33,7 @@ struct State {
   std::vector<double> shear_angle;  ///< m, of ShearPoint at x_n [rad]
   std::vector<double> shear_force;  ///< m, likewise [N/m]
   std::vector<double> shear_rate;   ///< m, likewise [rad/s]
-  std::vector<Vec3> block_force;    ///< each block's own, of its nodes, summed per node in fixed order: membrane, then bending [N]
+  std::vector<Vec3> block_force;    ///< of blocks on nodes that several reach: the membrane's, then those of bending [N]
 
   // Since the start, per block of elements or node, so that sums are the same for any number of threads [J]
   std::vector<double> shear_work;       ///< per block, done on the sheet in shear

@@ -199,13 +199,16 @@ struct BendingWork {
     position.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) position[i].set(x[points[i]]);
   }
-  /// The block's forces from its lanes.
-  void give(const Bending& bending, const CurvatureOperator::Block& block, std::span<Vec3> block_force)
+  /// Adds the block's forces, from its lanes.
+  void give(const Bending& bending, const CurvatureOperator::Block& block, std::span<Vec3> block_force, std::span<Vec3> of_all)
   {
     force.assign(static_cast<std::size_t>(block.points.count), {});
     add_forces(patches(bending, block), block.nodes, lanes, force.data());
-    Vec3* sums = block_force.data() + block.points.first;
-    for (std::size_t i = 0; i < force.size(); ++i) sums[i] = force[i].vec3();
+    const BlockSlots& slots = bending.curvature.slots;
+    for (int i = 0; i < block.points.count; ++i) {
+      Vec3& to = slots.target(block.points, i, of_all, block_force);
+      to = slots.reaches_alone(block.points, i) ? to + force[i].vec3() : force[i].vec3();
+    }
   }
   static Patches patches(const Bending& bending, const CurvatureOperator::Block& block)
   {
@@ -215,7 +218,7 @@ struct BendingWork {
   }
 };
 
-void bend_block(const Bending& bending, int number, double dt, BendingState& b, State& s)
+void bend_block(const Bending& bending, int number, double dt, BendingState& b, State& s, std::span<Vec3> force)
 {
   const CurvatureOperator::Block& block = bending.curvature.blocks[number];
   BendingWork& w = BendingWork::here();
@@ -224,7 +227,7 @@ void bend_block(const Bending& bending, int number, double dt, BendingState& b, 
   curve(block.nodes, w.lanes);
   b.damping[number] += bend(bending, block.first_node, block.nodes, dt, b.curvature.data() + block.first_node, w.lanes);
   turn(block.nodes, w.lanes);
-  w.give(bending, block, s.block_force);
+  w.give(bending, block, s.block_force, force);
 }
 
 void place_images(const Bending& bending, std::span<const Vec3> position, std::vector<Vec3>& image)
@@ -236,13 +239,16 @@ void place_images(const Bending& bending, std::span<const Vec3> position, std::v
 
 void assemble(const Bending& bending, std::span<const Vec3> block_force, std::span<Vec3> force)
 {
-  const auto nodes = static_cast<std::ptrdiff_t>(force.size());
-  parallel_ranges(nodes, [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) force[n] += bending.curvature.slots.sum(block_force, n);
-  });
+  const BlockSlots& slots = bending.curvature.slots;
   const std::vector<MirrorImage>& images = bending.curvature.images;
-  for (std::size_t i = 0; i < images.size(); ++i)
-    images[i].hand_on(bending.curvature.slots.sum(block_force, nodes + static_cast<std::ptrdiff_t>(i)), force);
+  const std::span<const int> points = slots.summed();
+  const auto is_node = [&](int point) { return point < static_cast<int>(force.size()); };
+  const auto nodes = std::partition_point(points.begin(), points.end(), is_node) - points.begin();
+  parallel_ranges(nodes, [&](auto begin, auto end) {
+    for (auto i = begin; i < end; ++i) force[points[i]] += slots.sum(block_force, i);
+  });
+  for (auto i = nodes; i < static_cast<std::ptrdiff_t>(points.size()); ++i)
+    images[static_cast<std::size_t>(points[i]) - force.size()].hand_on(slots.sum(block_force, i), force);
 }
 
 } // namespace
@@ -254,11 +260,12 @@ void bending_forces(const Bending& bending, BendingState& b, State& s, double dt
   if (s.step % bending.interval == 0) {
     place_images(bending, s.position, b.image);
     s.block_force.resize(std::max(s.block_force.size(), bending.curvature.slots.count())); // the membrane's have been summed
-    parallel_each(static_cast<int>(bending.curvature.blocks.size()),
-                  [&](int number) { bend_block(bending, number, bending.interval * dt, b, s); });
     if (holds)
       parallel_ranges(nodes, [&](auto begin, auto end) { std::fill(b.held.begin() + begin, b.held.begin() + end, Vec3{}); });
-    assemble(bending, s.block_force, holds ? b.held : s.force);
+    std::vector<Vec3>& force = holds ? b.held : s.force;
+    parallel_each(static_cast<int>(bending.curvature.blocks.size()),
+                  [&](int number) { bend_block(bending, number, bending.interval * dt, b, s, force); });
+    assemble(bending, s.block_force, force);
   }
   if (!holds) return;
   parallel_ranges(nodes, [&](auto begin, auto end) {
@@ -296,7 +303,7 @@ void linear_bending_forces(const Bending& bending, double factor, std::span<cons
       l.weft_moment[n] = area * weft_stiffness * (l.nx[n] * weft[0] + l.ny[n] * weft[1] + l.nz[n] * weft[2]);
       l.on_ax[n] = l.on_ay[n] = l.on_az[n] = l.on_bx[n] = l.on_by[n] = l.on_bz[n] = 0.0;
     }
-    w.give(bending, block, block_force);
+    w.give(bending, block, block_force, force);
   });
   assemble(bending, block_force, force);
 }

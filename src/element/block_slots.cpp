@@ -12,15 +12,25 @@ BlockSlots::Range BlockSlots::add(std::vector<int> points)
   return range;
 }
 
-void BlockSlots::finish(std::size_t points)
+void BlockSlots::finish(std::size_t always_summed)
 {
   point_.shrink_to_fit();
-  first_of_.assign(points + 1, 0);
-  for (const int p : point_) ++first_of_[static_cast<std::size_t>(p) + 1];
-  for (std::size_t p = 0; p < points; ++p) first_of_[p + 1] += first_of_[p];
-  std::vector<int> next(first_of_.begin(), first_of_.end() - 1);
-  slot_of_.resize(point_.size());
-  for (std::size_t i = 0; i < point_.size(); ++i) slot_of_[next[point_[i]]++] = static_cast<int>(i);
+  const std::size_t points = point_.empty() ? 0 : static_cast<std::size_t>(*std::max_element(point_.begin(), point_.end())) + 1;
+  std::vector<int> next(points, 0); // first how many slots a point has, then its next place
+  for (const int p : point_) ++next[p];
+  first_of_.push_back(0);
+  for (std::size_t p = 0; p < points; ++p) {
+    const int slots = next[p];
+    next[p] = -1;
+    if (slots == 0 || (slots == 1 && p < always_summed)) continue;
+    next[p] = first_of_.back();
+    summed_.push_back(static_cast<int>(p));
+    first_of_.push_back(first_of_.back() + slots);
+  }
+  summed_.shrink_to_fit();
+  first_of_.shrink_to_fit();
+  target_.reserve(point_.size());
+  for (const int p : point_) target_.push_back(next[p] < 0 ? p : ~next[p]++);
 }
 
 std::uint16_t BlockSlots::local(const Range& block, int point) const

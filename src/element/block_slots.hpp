@@ -1,5 +1,6 @@
 #pragma once
 #include "towform/vec3.hpp"
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -7,9 +8,9 @@
 
 namespace towform {
 
-/// Places for what blocks of a mesh add to the forces on points, each block by itself: a block has a slot for every
-/// point that it reaches, and a point's force is the sum over its slots, in the order of the blocks. Blocks depend on the
-/// mesh alone, and so do all sums, whatever the number of threads.
+/// Where what blocks of a mesh add to the forces on points goes: a block has a slot for every point that it reaches. Of a point
+/// that it alone reaches, its force is the point's; of others it has a place in an array, and the point's is the sum over its
+/// places, in the order of the blocks. Blocks depend on the mesh alone, and so do all sums, whatever the number of threads.
 class BlockSlots {
 public:
   /// The slots of a block.
@@ -18,10 +19,11 @@ public:
   };
   /// A block that reaches `points` (in any order, repeated or not).
   Range add(std::vector<int> points);
-  /// To be called after the last block. `points` of the mesh.
-  void finish(std::size_t points);
+  /// To be called after the last block. Points from `always_summed` on have places even where one block reaches them.
+  void finish(std::size_t always_summed);
 
-  [[nodiscard]] std::size_t count() const { return point_.size(); }
+  /// Places of forces that are to be summed.
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(first_of_.back()); }
   /// Points of a block's slots, ascending.
   [[nodiscard]] std::span<const int> points(const Range& block) const
   {
@@ -29,17 +31,30 @@ public:
   }
   /// Which of a block's slots a point has, counted within the block.
   [[nodiscard]] std::uint16_t local(const Range& block, int point) const;
-  /// Sum over a point's slots.
-  [[nodiscard]] Vec3 sum(std::span<const Vec3> force, std::ptrdiff_t point) const
+
+  /// Where the force of a slot (counted within the block) goes: its point's own, or a place.
+  [[nodiscard]] Vec3& target(const Range& block, int slot, std::span<Vec3> of_point, std::span<Vec3> place) const
+  {
+    const int to = target_[block.first + slot];
+    const std::array bases{of_point.data(), place.data()}; // without a branch, which would often be mispredicted
+    return bases[to < 0 ? 1 : 0][to < 0 ? ~to : to];
+  }
+  [[nodiscard]] bool reaches_alone(const Range& block, int slot) const { return target_[block.first + slot] >= 0; }
+  /// Points whose forces are sums, ascending.
+  [[nodiscard]] std::span<const int> summed() const { return summed_; }
+  /// The force on one of them, by its number among them.
+  [[nodiscard]] Vec3 sum(std::span<const Vec3> place, std::ptrdiff_t number) const
   {
     Vec3 sum;
-    for (int i = first_of_[point]; i < first_of_[point + 1]; ++i) sum += force[slot_of_[i]];
+    for (int i = first_of_[number]; i < first_of_[number + 1]; ++i) sum += place[i];
     return sum;
   }
 
 private:
-  std::vector<int> point_;             // of each slot
-  std::vector<int> first_of_, slot_of_; // slots of each point, ascending
+  std::vector<int> point_;    // of each slot
+  std::vector<int> target_;   // of each slot: its point where no other block reaches that, else ~place
+  std::vector<int> summed_;   // points
+  std::vector<int> first_of_; // of each of them its first place, and one more
 };
 
 } // namespace towform

@@ -197,7 +197,7 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
       add_block(std::span(patches).subspan(i, std::min<std::size_t>(block_size, patches.size() - i)));
     for (const Patch& patch : patches) weights_of.push_back(shared.place(patch));
   }
-  slots.finish(sheet.nodes + images.size());
+  slots.finish(sheet.nodes); // images hand theirs on
   point.shrink_to_fit();
   weight.shrink_to_fit();
 }

@@ -8,8 +8,7 @@ namespace towform {
 
 namespace {
 
-void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int number, Workplace& w,
-                  std::span<Vec3> block_force)
+void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int number, Workplace& w, LinearForces& f)
 {
   using Batch = MembraneBatches::Batch;
   const Membrane& membrane = sheet.membrane;
@@ -47,7 +46,7 @@ void linear_block(const LinearSheet& sheet, std::span<const Vec3> motion, int nu
     tension(batches.coefficients(b), spring, w.lanes, b.first, b.count, w.batch);
     add_forces(w.batch, corner + 3 * b.first, b.count, w.force.data());
   }
-  w.give(block.nodes, block_force);
+  w.give(membrane.blocks.slots, block.nodes, f.block_force, f.force);
 }
 
 } // namespace
@@ -59,7 +58,7 @@ void linear_forces(const LinearSheet& sheet, std::span<const Vec3> motion, Linea
   f.force.resize(motion.size());
   parallel_each(blocks.count(), [&](int number) {
     static thread_local const std::unique_ptr<Workplace> workplace = std::make_unique<Workplace>();
-    linear_block(sheet, motion, number, *workplace, f.block_force);
+    linear_block(sheet, motion, number, *workplace, f);
   });
   assemble(blocks, f.block_force, f.force);
   for (const Bending& bending : sheet.bending)

@@ -139,7 +139,7 @@ public:
     }
     s_.shear_work[number_] += work;
     s_.shear_dissipated[number_] += dissipated;
-    w_.give(block_.nodes, s_.block_force);
+    w_.give(membrane_.blocks.slots, block_.nodes, s_.block_force, s_.force);
   }
 
 private:
@@ -197,8 +197,9 @@ void membrane_forces(const Membrane& membrane, State& s, double dt)
 
 void assemble(const ElementBlocks& blocks, std::span<const Vec3> block_force, std::span<Vec3> force)
 {
-  parallel_ranges(static_cast<std::ptrdiff_t>(force.size()), [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) force[n] = blocks.slots.sum(block_force, n);
+  const std::span<const int> nodes = blocks.slots.summed();
+  parallel_ranges(static_cast<std::ptrdiff_t>(nodes.size()), [&](auto begin, auto end) {
+    for (auto i = begin; i < end; ++i) force[nodes[i]] = blocks.slots.sum(block_force, i);
   });
 }
 

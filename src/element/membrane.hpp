@@ -77,10 +77,10 @@ struct Membrane {
 /// Sizes the membrane's arrays of a state whose positions are set, stress-free at the reference.
 void start(const Membrane& membrane, State& s);
 
-/// Forces of the blocks at x_n; advances the histories from x_(n-1) by dt and the works done in between.
+/// Forces of the blocks at x_n, those of nodes that one block alone reaches in s.force; advances the histories from x_(n-1) by dt and the works done in between.
 void membrane_forces(const Membrane& membrane, State& s, double dt);
 
-/// force[n] = sum over the node's blocks.
+/// force[n] = sum over the node's blocks, of nodes that have several.
 void assemble(const ElementBlocks& blocks, std::span<const Vec3> block_force, std::span<Vec3> force);
 
 } // namespace towform

@@ -18,11 +18,11 @@ struct Workplace {
   {
     for (std::size_t i = 0; i < nodes.size(); ++i) position[i].set(of_all[nodes[i]]);
   }
-  void give(const BlockSlots::Range& nodes, std::span<Vec3> block_force)
+  /// Hands a block's forces on, to `of_all` where they are a node's only ones.
+  void give(const BlockSlots& slots, const BlockSlots::Range& nodes, std::span<Vec3> block_force, std::span<Vec3> of_all)
   {
-    Vec3* to = block_force.data() + nodes.first;
     for (int i = 0; i < nodes.count; ++i) {
-      to[i] = force[i].vec3();
+      slots.target(nodes, i, of_all, block_force) = force[i].vec3();
       force[i] = {};
     }
   }
