@@ -12,8 +12,9 @@ namespace {
 constexpr double element_step = 45e-9, bending_step = 5e-9;
 /// Threads wait for each other: of each further one this part counts (measured with two, assumed for more).
 constexpr double further_thread = 0.85;
-/// Peak memory: 82 MB with 21,672 triangles, 124 MB with 100,000, 579 MB with 1,000,000.
-constexpr double memory_alone = 70e6, memory_element = 500.0; // [bytes]
+/// Peak memory: 85 MB with 21,672 triangles over the whole press; with more from docs/benchmarks.md, its first steps, to which a
+/// measurement of the stable step adds some 60 bytes an element (counted).
+constexpr double memory_alone = 75e6, memory_element = 450.0; // [bytes]
 
 std::string shown_time(double seconds)
 {

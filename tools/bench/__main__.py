@@ -14,21 +14,25 @@ runs taken in turn, with the median beside: machines are shared, and the least i
 others were at work. `ns_per_element_step` of `summary.json` is the wall time of the stepping loop with contact and all that the scene has,
 without set-up and file output, over elements and steps.
 
-**Speed.** The aim is 20 ns on one thread and 11 on two with everything on, and 3 s for the paper's run. It is not reached on this machine,
-where arithmetic alone would take 10 ns: everything on takes 35 ns on one thread and 17 on two in the first millimetres of the press,
-41 and 22 over all of it, and the paper's run 3.6 s without bending, 4.1 s with it, of which set-up and output are 0.7 s; the report, not
-counted here, takes 0.3 s more. It takes 6,650 steps, 0.97 of the true limit with contact, where the paper took 12,000. Half of a step is the
-membrane, of which vectors do half and gathering, scattering and strips of yarn the rest; over the whole press more than two fifths are
-contact. Bending, held for up to eight steps, is 3 ns of 35; computed at every step it is 16. Single precision in the
-membrane's geometry was tried and brought 3 % of it, loads of nodes in rows made it slower: what limits it is not arithmetic.
-From 5,000 to 100,000 elements an element costs within 19 % of the middle of them on one thread, 25 % on two; from 400,000 on the sheet is read
-from memory, and its waves of bending are so fast that it is computed every second or third step: 25 % more than the middle of all sizes on
-one thread, 32 % on two.
-Memory is 0.5 kB an element of a fine mesh, beside some 60 MB for the program and the tools (0.57 with these).
+**Speed.** The aim is 20 ns on one thread and 11 on two with everything on, and 3 s for the paper's run. Arithmetic alone would take
+{arithmetic} ns on this machine. Everything on takes {one} ns on one thread and {two} on two in the first millimetres of the press,
+{press_one} and {press_two} over all of it, and the paper's run {wall} s without bending, {wall_bending} s with it, of which set-up and output
+are {beside} s; the report, not counted here, takes a few tenths more. It takes {steps} steps, where the paper took 12,000. Of a step without
+bending {membrane} % are the membrane, of which vectors do half and gathering, scattering and strips of yarn the rest; {contact} % are contact.
+Bending, held for up to eight steps, is {held} ns of {everything}; computed at every step it is {each_step}. Single precision in the membrane's
+geometry was tried and brought 3 % of it, loads of nodes in rows made it slower, and huge pages brought nothing.
 
-**Error.** The aim is 1 degree RMS in 2 s: the double dome takes 0.6 s, the hemisphere 0.5 s (below). At the real speed of the press four times
-the mass halves the time and moves angles by less than the mesh does (RMS); ten times the mass, `towform run --fast`, is the better way to save
-time than a coarser mesh. Both change forces. Defaults are the case's own mass and speed.
+**Sizes.** The aim is within 20 % of the middle from 5,000 to 1,000,000 elements: it is {spread_one} % on one thread, {spread_two} % on two. What
+elements of one shape are made of they share, so that the membrane costs a fine mesh hardly more than one that lies in the cache; what does
+cost more there is bending, whose waves are so fast that it is computed every second or third step.
+
+**Memory.** The aim is 400 bytes an element. An element more of a fine mesh takes {more}; with the program, its libraries and the
+tools, some 70 MB, it is {all_bytes} at {largest} elements. These are first steps; later, whenever the stable step is measured again, some 60
+more are needed for a moment (counted).
+
+**Error.** The aim is 1 degree RMS in 2 s: the double dome takes {good_dome} s, the hemisphere {good_hemisphere} s (below). At the real speed of the
+press four times the mass halves the time and moves angles by less than the mesh does (RMS); ten times the mass, `towform run --fast`, is the
+better way to save time than a coarser mesh. Both change forces. Defaults are the case's own mass and speed.
 """
 PARTS = {"kernels": kernels, "whole": whole, "runs": sizes, "features": features, "busy": busy}
 

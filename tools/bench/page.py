@@ -45,14 +45,16 @@ def phases(row, names=STEPPING):
     return [f"{row[f'{name}_ns']:.1f}" for name in names]
 
 
+BYTES_MOVED, FLOPS = 650.0, 530.0  # of an element and step: counted by hand from src/element and src/contact
+
+
 def peak_share(kernels):
     """What the step would take if it did nothing but read and write its data once, or nothing but calculate."""
     peak = {row["kernel"]: row["best"] for row in kernels}
-    bytes_moved, flops = 650.0, 530.0  # counted by hand from src/element and src/contact, an element and step
-    return (f"An element and step read and write some {bytes_moved:.0f} bytes and make some {flops:.0f} additions and "
+    return (f"An element and step read and write some {BYTES_MOVED:.0f} bytes and make some {FLOPS:.0f} additions and "
             f"multiplications (counted by hand, bending included). The machine streams {peak['memory_triad']:.0f} GB/s from memory and "
-            f"makes {peak['arithmetic']:.0f} Gflop/s on one thread (not fused), which allows {bytes_moved / peak['memory_triad']:.0f} ns of a sheet that "
-            f"lies in memory and {flops / peak['arithmetic']:.0f} ns of arithmetic alone.")
+            f"makes {peak['arithmetic']:.0f} Gflop/s on one thread (not fused), which allows {BYTES_MOVED / peak['memory_triad']:.0f} ns of a sheet that "
+            f"lies in memory and {FLOPS / peak['arithmetic']:.0f} ns of arithmetic alone.")
 
 
 def each_more(runs):
@@ -61,11 +63,41 @@ def each_more(runs):
     return (finer[1] - coarser[1]) / (finer[0] - coarser[0])
 
 
+def spread(runs, threads):
+    """How far the dearest and the cheapest of all sizes are from the middle between them [%]."""
+    ns = [r["ns_min"] for r in runs if r["threads"] == threads]
+    return 100.0 * (max(ns) - min(ns)) / (max(ns) + min(ns))
+
+
+def facts(kernels, runs, features, whole, pareto):
+    """What the text tells of the tables."""
+    paper = {r["threads"]: r["ns_min"] for r in runs if 20000 < r["elements"] < 25000}
+    press = {r["run"]: r for r in whole}
+    plain, bent = press["double_dome, 2 threads"], press["double_dome with bending, 2 threads"]
+    stepping = 1e-9 * plain["ns_min"] * plain["elements"] * plain["steps"]
+    what = {r["what"]: r for r in features}
+    peak = {r["kernel"]: r["best"] for r in kernels}
+    largest = max(r["elements"] for r in runs)
+    good = {case: min(r["wall_s"] for r in pareto if r["case"] == case and r["rms_deg"] <= 1.0) for case in ("double_dome", "hemisphere")}
+    everything = what["everything"]["ns_min"]
+    return {
+        "arithmetic": f"{FLOPS / peak['arithmetic']:.0f}", "one": f"{paper[1]:.0f}", "two": f"{paper[2]:.0f}",
+        "press_one": f"{press['double_dome with bending, 1 threads']['ns_min']:.0f}", "press_two": f"{bent['ns_min']:.0f}",
+        "wall": f"{plain['wall_s_min']:.1f}", "wall_bending": f"{bent['wall_s_min']:.1f}",
+        "beside": f"{plain['wall_s_min'] - stepping:.1f}", "steps": f"{plain['steps']:,}",
+        "membrane": f"{100.0 * plain['membrane_ns'] / plain['ns_min']:.0f}", "contact": f"{100.0 * plain['contact_ns'] / plain['ns_min']:.0f}",
+        "held": f"{what['everything']['bending_ns']:.0f}", "everything": f"{everything:.0f}",
+        "each_step": f"{what['bending at every step: subcycling = false']['bending_ns']:.0f}",
+        "spread_one": f"{spread(runs, 1):.0f}", "spread_two": f"{spread(runs, 2):.0f}", "more": f"{each_more(runs):.0f}",
+        "all_bytes": f"{next(r['bytes'] for r in runs if r['elements'] == largest):.0f}", "largest": f"{largest:,}",
+        "good_dome": f"{good['double_dome']:.1f}", "good_hemisphere": f"{good['hemisphere']:.1f}"}
+
+
 def write(text):
-    """The page from the tables as they stand; `text` is the part that a person wrote."""
+    """The page from the tables as they stand; `text` is the part that a person wrote, with places for facts."""
     kernels, runs, features, busy, whole, pareto, convergence = (
         read_table(n) for n in ("kernels", "runs", "features", "busy", "whole", "pareto", "convergence"))
-    parts = [text.format(machine=machine())]
+    parts = [text.format(machine=machine(), **facts(kernels, runs, features, whole, pareto))]
     if whole:
         parts += ["## Whole runs\n", table(("run", "elements", "steps", "ns per element-step, least", "median", "wall s, least", *STEPPING, "output"),
                   [(r["run"], r["elements"], r["steps"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", f"{r['wall_s_min']:.2f}",
