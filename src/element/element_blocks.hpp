@@ -21,7 +21,7 @@ struct ElementBlocks {
   struct Block {
     int first_element = 0, own = 0; ///< elements
     int places = 0;                 ///< own elements, then guests shape by shape
-    int first_place = 0;            ///< in `element`; in `corner` and `coefficient` times 3 and 5
+    int first_place = 0;            ///< in `element`; in `corner` times 3
     int first_strip = 0, strips = 0;
     int first_of_others = 0, of_others = 0; ///< entries whose strips belong to other blocks
     BlockSlots::Range nodes;
@@ -38,9 +38,8 @@ struct ElementBlocks {
 
   ElementBlocks() = default;
   /// Blocks end where `tiles` do (first elements, ascending), and within them where they must. `shape` of each element
-  /// (element_shapes). Strips must be in the order of
-  /// their first entries; those of a block are then sorted by length. Throws std::length_error when a single element's strips
-  /// have more elements than a block has places.
+  /// (element_shapes). Strips must be in the order of their first entries; those of a block are then sorted by length. Throws
+  /// std::length_error when a single element's strips have more elements than a block has places.
   ElementBlocks(std::span<const Triangle> triangles, std::span<const int> shape, std::size_t nodes, std::span<const int> tiles,
                 YarnStrips& strips);
 

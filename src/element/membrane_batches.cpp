@@ -8,7 +8,7 @@ class MembraneBatches::Maker {
 public:
   Maker(MembraneBatches& all, std::span<const int> shape, std::span<const FlatTriangle> elements)
       : all_(all), shape_(shape), elements_(elements),
-        of_shape_(shape.empty() ? 0 : static_cast<std::size_t>(std::max(-1, *std::max_element(shape.begin(), shape.end())) + 1), -1)
+        of_shape_(shape.empty() ? 0 : static_cast<std::size_t>(*std::max_element(shape.begin(), shape.end()) + 1), -1)
   {
   }
 

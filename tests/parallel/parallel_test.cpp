@@ -1,4 +1,5 @@
 #include "parallel/parallel.hpp"
+#include <array>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <vector>
@@ -43,7 +44,6 @@ TEST_P(Parallel, ManyShortLoopsSeeEachOthersResults)
 
 TEST_P(Parallel, LoopsWithinLoopsDoAll)
 {
-  set_threads(GetParam());
   constexpr int outer = 50, inner = 40;
   std::array<std::array<int, inner>, outer> taken{};
   parallel_each(outer, [&](int i) {

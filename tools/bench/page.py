@@ -19,10 +19,7 @@ def write_table(name, rows):
 
 
 def read_table(name):
-    path = DIRECTORY / f"{name}.csv"
-    if not path.exists():
-        return []
-    with open(path, newline="") as file:
+    with open(DIRECTORY / f"{name}.csv", newline="") as file:
         return [{key: number(v) for key, v in row.items()} for row in csv.DictReader(file)]
 
 
@@ -57,10 +54,11 @@ def peak_share(kernels):
             f"lies in memory and {FLOPS / peak['arithmetic']:.0f} ns of arithmetic alone.")
 
 
-def each_more(runs):
-    """What an element more takes of memory, from the two finest meshes on one thread [bytes]."""
+def memory(runs):
+    """What an element more takes of memory, from the two finest meshes on one thread, and what is left of the finest [bytes]."""
     coarser, finer = [(r["elements"], r["elements"] * r["bytes"]) for r in runs if r["threads"] == 1][-2:]
-    return (finer[1] - coarser[1]) / (finer[0] - coarser[0])
+    each = (finer[1] - coarser[1]) / (finer[0] - coarser[0])
+    return each, finer[1] - each * finer[0]
 
 
 def spread(runs, threads):
@@ -88,7 +86,7 @@ def facts(kernels, runs, features, whole, pareto):
         "membrane": f"{100.0 * plain['membrane_ns'] / plain['ns_min']:.0f}", "contact": f"{100.0 * plain['contact_ns'] / plain['ns_min']:.0f}",
         "held": f"{what['everything']['bending_ns']:.0f}", "everything": f"{everything:.0f}",
         "each_step": f"{what['bending at every step: subcycling = false']['bending_ns']:.0f}",
-        "spread_one": f"{spread(runs, 1):.0f}", "spread_two": f"{spread(runs, 2):.0f}", "more": f"{each_more(runs):.0f}",
+        "spread_one": f"{spread(runs, 1):.0f}", "spread_two": f"{spread(runs, 2):.0f}", "more": f"{memory(runs)[0]:.0f}", "alone": f"{1e-6 * memory(runs)[1]:.0f}",
         "all_bytes": f"{next(r['bytes'] for r in runs if r['elements'] == largest):.0f}", "largest": f"{largest:,}",
         "good_dome": f"{good['double_dome']:.1f}", "good_hemisphere": f"{good['hemisphere']:.1f}"}
 
@@ -98,42 +96,35 @@ def write(text):
     kernels, runs, features, busy, whole, pareto, convergence = (
         read_table(n) for n in ("kernels", "runs", "features", "busy", "whole", "pareto", "convergence"))
     parts = [text.format(machine=machine(), **facts(kernels, runs, features, whole, pareto))]
-    if whole:
-        parts += ["## Whole runs\n", table(("run", "elements", "steps", "ns per element-step, least", "median", "wall s, least", *STEPPING, "output"),
-                  [(r["run"], r["elements"], r["steps"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", f"{r['wall_s_min']:.2f}",
-                    *phases(r, (*STEPPING, "output"))) for r in whole])]
-    if runs:
-        parts += ["## Sizes and threads\n", "The double dome with everything on, bending too; the first steps of the press.\n",
-                  table(("elements", "threads", "ns per element-step, least", "median", *STEPPING, "bytes per element"),
-                        [(r["elements"], r["threads"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", *phases(r), f"{r['bytes']:.0f}") for r in runs]),
-                  f"Bytes are the most that the program had, with its libraries and the tools. From the second finest mesh to the finest each "
-                  f"element more takes {each_more(runs):.0f}.\n"]
-    if features:
-        parts += ["## What each part costs\n", "One thread, the first 1,500 steps of the double dome.\n",
-                  table(("what", "ns per element-step, least", "median", "over everything", *STEPPING, "output"),
-                        [(r["what"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", f"{r['over_everything']:.2f}",
-                          *phases(r, (*STEPPING, "output"))) for r in features])]
-    if busy:
-        parts += ["## On a busy machine\n", "Without bending, another program taking all it gets of one core.\n",
-                  table(("threads", "other programs", "ns per element-step, least", "median"),
-                        [(r["threads"], r["other_programs"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}") for r in busy])]
-    if kernels:
-        parts += ["## Kernels and the machine\n",
-                  table(("kernel", "best", "median", "unit"),
-                        [(r["kernel"], f"{r['best']:.4g}", f"{r['median']:.4g}", r["unit"]) for r in kernels]), peak_share(kernels) + "\n"]
-    if pareto:
-        parts += ["## Run time against error\n", PARETO, "![Error over run time.](images/pareto.png)\n"]
-        for case in sorted({r["case"] for r in pareto}):
-            rows = front([r for r in pareto if r["case"] == case])
-            parts += [f"The front of the {case.replace('_', ' ')}:\n",
-                      table(("variant", "wall s", "RMS deg", "99th percentile deg", "kinetic over internal"),
-                            [(r["variant"], f"{r['wall_s']:.2f}", f"{r['rms_deg']:.2f}", f"{r['p99_deg']:.2f}",
-                              f"{r['kinetic_to_internal']:.2f}") for r in rows])]
-    if convergence:
-        parts += ["### What the reference is worth\n", CONVERGENCE,
-                  table(("case", "elements", "with bending, deg RMS", "without, deg RMS"),
-                        [(r["case"].replace("_", " "), f"{r['elements']} and {2 * r['elements']}", f"{r['with_deg']:.2f}",
-                          f"{r['without_deg']:.2f}") for r in convergence])]
+    parts += ["## Whole runs\n", table(("run", "elements", "steps", "ns per element-step, least", "median", "wall s, least", *STEPPING, "output"),
+              [(r["run"], r["elements"], r["steps"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", f"{r['wall_s_min']:.2f}",
+                *phases(r, (*STEPPING, "output"))) for r in whole])]
+    parts += ["## Sizes and threads\n", "The double dome with everything on, bending too; the first steps of the press.\n",
+              table(("elements", "threads", "ns per element-step, least", "median", *STEPPING, "bytes per element"),
+                    [(r["elements"], r["threads"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", *phases(r), f"{r['bytes']:.0f}") for r in runs]),
+              f"Bytes are the most that the program had, with its libraries and the tools. From the second finest mesh to the finest each "
+              f"element more takes {memory(runs)[0]:.0f}.\n"]
+    parts += ["## What each part costs\n", "One thread, the first 1,500 steps of the double dome.\n",
+              table(("what", "ns per element-step, least", "median", "over everything", *STEPPING, "output"),
+                    [(r["what"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", f"{r['over_everything']:.2f}",
+                      *phases(r, (*STEPPING, "output"))) for r in features])]
+    parts += ["## On a busy machine\n", "Without bending, another program taking all it gets of one core.\n",
+              table(("threads", "other programs", "ns per element-step, least", "median"),
+                    [(r["threads"], r["other_programs"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}") for r in busy])]
+    parts += ["## Kernels and the machine\n",
+              table(("kernel", "best", "median", "unit"),
+                    [(r["kernel"], f"{r['best']:.4g}", f"{r['median']:.4g}", r["unit"]) for r in kernels]), peak_share(kernels) + "\n"]
+    parts += ["## Run time against error\n", PARETO, "![Error over run time.](images/pareto.png)\n"]
+    for case in sorted({r["case"] for r in pareto}):
+        rows = front([r for r in pareto if r["case"] == case])
+        parts += [f"The front of the {case.replace('_', ' ')}:\n",
+                  table(("variant", "wall s", "RMS deg", "99th percentile deg", "kinetic over internal"),
+                        [(r["variant"], f"{r['wall_s']:.2f}", f"{r['rms_deg']:.2f}", f"{r['p99_deg']:.2f}",
+                          f"{r['kinetic_to_internal']:.2f}") for r in rows])]
+    parts += ["### What the reference is worth\n", CONVERGENCE,
+              table(("case", "elements", "with bending, deg RMS", "without, deg RMS"),
+                    [(r["case"].replace("_", " "), f"{r['elements']} and {2 * r['elements']}", f"{r['with_deg']:.2f}",
+                      f"{r['without_deg']:.2f}") for r in convergence])]
     PAGE.write_text("\n".join(parts))
 
 
