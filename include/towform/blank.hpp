@@ -35,10 +35,15 @@ struct BlankParameters {
   Symmetry symmetry = Symmetry::none;
 };
 
+/// Parts of a mesh whose nodes are close together, by their first triangles and their first nodes, both ascending.
+struct MeshTiles {
+  std::vector<int> triangles, nodes;
+};
+
 /// The meshed blank. Node numbers follow the plane (neighbours are close in memory).
 struct Blank {
   SurfaceMesh mesh;                    ///< flat, counter-clockwise seen from +z
-  std::vector<int> tiles;              ///< first triangles of parts that are close together, ascending; may be empty
+  MeshTiles tiles;                     ///< may be empty
   Vec3 warp, weft;                     ///< unit reference yarn directions f01, f02
   double thickness = 0.0;              ///< [m]
   Vec2 tilt;                           ///< about x, then about y [rad]

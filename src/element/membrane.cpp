@@ -39,7 +39,7 @@ Membrane::Membrane(const Blank& blank, const YarnLaw& yarn_law, FabricLaw fabric
   for (const FlatTriangle& t : flat) area.push_back(t.area);
   strips = own ? strips_of_one(area) : lay_strips(blank, area);
   const std::vector<int> shape = element_shapes(blank.mesh);
-  blocks = ElementBlocks(triangles, shape, node_area.size(), blank.tiles, strips);
+  blocks = ElementBlocks(triangles, shape, node_area.size(), blank.tiles.triangles, strips);
   batches = MembraneBatches(blocks, shape, flat);
   // What has been laid out is known by blocks.
   blocks.element = {};

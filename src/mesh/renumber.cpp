@@ -55,13 +55,13 @@ void put_in_order(std::span<const int> shape, std::span<int> elements)
 
 } // namespace
 
-std::vector<int> renumber(SurfaceMesh& mesh)
+MeshTiles renumber(SurfaceMesh& mesh)
 {
   constexpr int tile_points = 420; // and twice as many triangles
   std::vector<Vec2> flat;
   flat.reserve(mesh.points.size());
   for (const Vec3& p : mesh.points) flat.push_back({p.x, p.y});
-  const Tiles tiles = tiles_of(flat, tile_points);
+  Tiles tiles = tiles_of(flat, tile_points);
 
   std::vector<int> number(flat.size());
   std::vector<Vec3> points(flat.size());
@@ -93,7 +93,7 @@ std::vector<int> renumber(SurfaceMesh& mesh)
   ordered.reserve(order.size());
   for (const int e : order) ordered.push_back(mesh.triangles[e]);
   mesh.triangles = std::move(ordered);
-  return first_triangles;
+  return {std::move(first_triangles), std::move(tiles.first)};
 }
 
 } // namespace towform

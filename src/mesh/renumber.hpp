@@ -1,13 +1,12 @@
 #pragma once
-#include "towform/surface_mesh.hpp"
-#include <vector>
+#include "towform/blank.hpp"
 
 namespace towform {
 
 /// Renumbers a flat mesh in place for locality: points by tiles; each triangle belongs to the tile of its lowest corner, keeps its
 /// orientation and begins with the corner that others of its shape begin with. Within a tile triangles of one shape
 /// (element_shapes) come together, and those that follow each other share no corner, mostly, so that a sum there need not wait
-/// for the one before. Same mesh in, same bits out. Returns the first triangle of every tile.
-std::vector<int> renumber(SurfaceMesh& mesh);
+/// for the one before. Same mesh in, same bits out.
+MeshTiles renumber(SurfaceMesh& mesh);
 
 } // namespace towform

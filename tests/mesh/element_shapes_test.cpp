@@ -51,7 +51,7 @@ TEST(ElementShapes, OfAnUnstructuredMeshAreEachItsOwn)
 TEST(Renumber, BringsTogetherWhatHasOneShape)
 {
   SurfaceMesh mesh = aligned_grid({0.65, 0.45}, {126, 86}, Pattern::diagonal, Symmetry::none);
-  const std::size_t tiles = renumber(mesh).size();
+  const std::size_t tiles = renumber(mesh).triangles.size();
   const std::vector<int> shape = element_shapes(mesh);
   std::size_t changes = 0;
   for (std::size_t e = 1; e < shape.size(); ++e) changes += shape[e] != shape[e - 1] ? 1 : 0;

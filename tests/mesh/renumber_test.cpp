@@ -20,7 +20,7 @@ TEST(Renumber, GivesTheSameMeshWhateverTheNumbersBefore)
   for (Triangle& t : shuffled.triangles) t = {number[t[1]], number[t[2]], number[t[0]]};
   std::shuffle(shuffled.triangles.begin(), shuffled.triangles.end(), random);
 
-  EXPECT_EQ(renumber(mesh), renumber(shuffled));
+  EXPECT_EQ(renumber(mesh).triangles, renumber(shuffled).triangles);
   EXPECT_EQ(mesh.points, shuffled.points);
   EXPECT_EQ(mesh.triangles, shuffled.triangles);
 }
@@ -51,8 +51,10 @@ TEST(Renumber, KeepsTheTrianglesAndTheirOrientation)
 TEST(Renumber, TellsWhereTilesBegin)
 {
   SurfaceMesh mesh = aligned_grid({0.65, 0.45}, {126, 86}, Pattern::diagonal, Symmetry::none);
-  const std::vector<int> first = renumber(mesh);
+  const MeshTiles tiles = renumber(mesh);
+  const std::vector<int>& first = tiles.triangles;
   ASSERT_GT(first.size(), 10u);
+  ASSERT_EQ(tiles.nodes.size(), first.size());
   EXPECT_EQ(first.front(), 0);
   // The lowest corners of a tile's triangles are all below those of the next.
   int highest_before = -1;
@@ -65,6 +67,10 @@ TEST(Renumber, TellsWhereTilesBegin)
       highest = std::max(highest, corner);
     }
     EXPECT_LT(highest_before, lowest);
+    EXPECT_LE(tiles.nodes[t], lowest);
+    if (t + 1 < first.size()) {
+      EXPECT_GT(tiles.nodes[t + 1], highest);
+    }
     highest_before = highest;
   }
 }
