@@ -1,11 +1,12 @@
 #include "element/bending.hpp"
+#include "element/bending_lanes.hpp"
 #include "element/held_bending.hpp"
-#include "element/vec4.hpp"
+#include "element/membrane_lanes.hpp"
 #include "parallel/parallel.hpp"
-#include "parallel/vector_clones.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 namespace towform {
@@ -17,217 +18,181 @@ constexpr int balance_rounds = 50;
 
 } // namespace
 
-Bending::Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std::vector<double> node_area,
+Bending::Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std::span<const double> node_area,
                  MomentLaw of_warp, MomentLaw of_weft)
-    : curvature(blank, clamped, balance_rounds), area(std::move(node_area)), warp(std::move(of_warp)),
-      weft(std::move(of_weft))
+    : curvature(blank, clamped, balance_rounds), warp(std::move(of_warp)), weft(std::move(of_weft))
 {
   if (!curvature.complete())
     throw std::invalid_argument("the blank has too few elements to tell its curvature; bending needs more");
+  area.reserve(curvature.node.size());
+  for (const int n : curvature.node) area.push_back(n < 0 ? 0.0 : node_area[n]);
 }
 
 std::vector<double> Bending::frequency_bound(std::span<const double> mass) const
 {
   const std::array<double, 2> stiffness{warp.stiffness(), weft.stiffness()};
   std::vector<double> bound(mass.size(), 0.0);
-  for (std::size_t n = 0; n < curvature.nodes(); ++n) {
-    std::array<double, 2> sum{};
-    curvature.each_term(n, [&](int, const YarnPair& weight) {
-      sum[0] += std::abs(weight.warp);
-      sum[1] += std::abs(weight.weft);
+  for (const CurvatureOperator::Block& block : curvature.blocks)
+    curvature.each_node(block, [&](int place, const CurvatureOperator::Patch& patch) {
+      std::array<double, 2> sum{};
+      patch.each_term([&](int, const YarnPair& weight) {
+        sum[0] += std::abs(weight.warp);
+        sum[1] += std::abs(weight.weft);
+      });
+      patch.each_term([&](int of_sheet, const YarnPair& weight) {
+        const auto point = static_cast<std::size_t>(of_sheet);
+        const std::size_t node = point < mass.size()
+                                     ? point
+                                     : static_cast<std::size_t>(curvature.images[point - mass.size()].source);
+        bound[node] +=
+            area[place] *
+            (stiffness[0] * sum[0] * std::abs(weight.warp) + stiffness[1] * sum[1] * std::abs(weight.weft)) /
+            mass[node];
+      });
     });
-    curvature.each_term(n, [&](int of_sheet, const YarnPair& weight) {
-      const auto point = static_cast<std::size_t>(of_sheet);
-      const std::size_t node = point < mass.size()
-                                   ? point
-                                   : static_cast<std::size_t>(curvature.images[point - mass.size()].source);
-      bound[node] +=
-          area[n] *
-          (stiffness[0] * sum[0] * std::abs(weight.warp) + stiffness[1] * sum[1] * std::abs(weight.weft)) /
-          mass[node];
-    });
-  }
   return bound;
 }
 
 void start(const Bending& bending, std::span<const Vec3> position, BendingState& b)
 {
-  b.curvature = bending.curvature.at(position);
+  const CurvatureOperator& op = bending.curvature;
+  const std::vector<YarnPair> of_node = op.at(position);
+  b.curvature.assign(op.node.size(), {});
+  for (std::size_t place = 0; place < op.node.size(); ++place)
+    if (op.node[place] >= 0) b.curvature[place] = of_node[op.node[place]];
   b.held.assign(bending.interval > 1 ? position.size() : 0, {});
-  b.damping.assign(bending.curvature.blocks.size(), 0.0);
-  b.image.assign(bending.curvature.images.size(), {});
+  b.damping.assign(op.blocks.size(), 0.0);
+  b.image.assign(op.images.size(), {});
 }
 
 namespace {
 
-/// A block's nodes side by side.
-struct BendingLanes {
-  static constexpr int size = CurvatureOperator::block_size;
-  using Lanes = double[size]; // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
+/// A vector for each point of a block: by lanes where it has runs, else by slots; those that single nodes share with runs by their
+/// place among them.
+struct PointVectors {
+  VectorLanes lanes;
+  std::vector<Padded> singles;
 
-  alignas(64) Lanes warp_x, warp_y, warp_z, weft_x, weft_y, weft_z; ///< second derivatives of x [1/m]
-  alignas(64) Lanes ax, ay, az, bx, by, bz;                         ///< chords [m]
-  alignas(64) Lanes nx, ny, nz, inverse;                            ///< normal, 1/|a x b|
-  alignas(64) Lanes warp_now, weft_now;                             ///< curvatures [1/m]
-  alignas(64) Lanes warp_moment, weft_moment;                       ///< times area [N m^2]
-  alignas(64) Lanes on_ax, on_ay, on_az, on_bx, on_by, on_bz;       ///< forces on the chords' first ends [N]
-};
-
-/// What the nodes of a block are made of.
-struct Patches {
-  const int* first;                         ///< of each node's terms, one more
-  const std::uint16_t* point;               ///< of each term of the whole sheet
-  const int* weights_of;                    ///< where each node's weights begin
-  const YarnPair* weight;                   ///< of all of them
-  const std::array<std::uint16_t, 4>* ends; ///< of each node
-};
-
-TOWFORM_VECTOR_CLONES
-void gather(const Patches& p, int nodes, const Padded* __restrict x, BendingLanes& __restrict l)
-{
-  for (int n = 0; n < nodes; ++n) {
-    Vec4 warp{}, weft{};
-    const YarnPair* weight = p.weight + p.weights_of[n];
-    for (int t = p.first[n]; t < p.first[n + 1]; ++t, ++weight) {
-      const Vec4 at = x[p.point[t]].v;
-      warp += weight->warp * at;
-      weft += weight->weft * at;
+  void take(const CurvatureOperator& op, const CurvatureOperator::Block& block, const ImagedPositions& x)
+  {
+    const std::span<const int> points = op.slots.points(block.points);
+    if (block.runs == 0) {
+      singles.resize(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i) singles[i].set(x[points[i]]);
+      return;
     }
-    const auto [a0, a1, b0, b1] = p.ends[n];
-    const Vec4 a = x[a1].v - x[a0].v, b = x[b1].v - x[b0].v;
-    l.warp_x[n] = warp[0];
-    l.warp_y[n] = warp[1];
-    l.warp_z[n] = warp[2];
-    l.weft_x[n] = weft[0];
-    l.weft_y[n] = weft[1];
-    l.weft_z[n] = weft[2];
-    l.ax[n] = a[0];
-    l.ay[n] = a[1];
-    l.az[n] = a[2];
-    l.bx[n] = b[0];
-    l.by[n] = b[1];
-    l.bz[n] = b[2];
+    lanes.clear(block.lanes);
+    const std::uint16_t* lane = op.lane.data() + block.points.first;
+    for (std::size_t i = 0; i < points.size(); ++i) lanes.set(lane[i], x[points[i]]);
+    singles.resize(static_cast<std::size_t>(block.shared));
+    for (int i = 0; i < block.shared; ++i) singles[i].set(lanes.at(op.shared_lane[block.first_shared + i]));
   }
-}
-
-TOWFORM_VECTOR_CLONES
-void curve(int nodes, BendingLanes& __restrict l)
-{
-  for (int n = 0; n < nodes; ++n) {
-    const double cx = l.ay[n] * l.bz[n] - l.az[n] * l.by[n], cy = l.az[n] * l.bx[n] - l.ax[n] * l.bz[n],
-                 cz = l.ax[n] * l.by[n] - l.ay[n] * l.bx[n];
-    const double inverse = 1.0 / std::sqrt(cx * cx + cy * cy + cz * cz);
-    l.inverse[n] = inverse;
-    const double nx = inverse * cx, ny = inverse * cy, nz = inverse * cz;
-    l.nx[n] = nx;
-    l.ny[n] = ny;
-    l.nz[n] = nz;
-    l.warp_now[n] = nx * l.warp_x[n] + ny * l.warp_y[n] + nz * l.warp_z[n];
-    l.weft_now[n] = nx * l.weft_x[n] + ny * l.weft_y[n] + nz * l.weft_z[n];
+  void clear(const CurvatureOperator::Block& block)
+  {
+    if (block.runs > 0) lanes.clear(block.lanes);
+    singles.assign(static_cast<std::size_t>(block.runs > 0 ? block.shared : block.points.count), {});
   }
-}
-
-/// dkappa = n . d(x,ii) + x,ii . dn, of which only the part in the surface turns the normal.
-TOWFORM_VECTOR_CLONES
-void turn(int nodes, BendingLanes& __restrict l)
-{
-  for (int n = 0; n < nodes; ++n) {
-    const double warp = l.inverse[n] * l.warp_moment[n], weft = l.inverse[n] * l.weft_moment[n];
-    const double along = warp * l.warp_now[n] + weft * l.weft_now[n];
-    const double tx = warp * l.warp_x[n] + weft * l.weft_x[n] - along * l.nx[n];
-    const double ty = warp * l.warp_y[n] + weft * l.weft_y[n] - along * l.ny[n];
-    const double tz = warp * l.warp_z[n] + weft * l.weft_z[n] - along * l.nz[n];
-    l.on_ax[n] = l.by[n] * tz - l.bz[n] * ty;
-    l.on_ay[n] = l.bz[n] * tx - l.bx[n] * tz;
-    l.on_az[n] = l.bx[n] * ty - l.by[n] * tx;
-    l.on_bx[n] = ty * l.az[n] - tz * l.ay[n];
-    l.on_by[n] = tz * l.ax[n] - tx * l.az[n];
-    l.on_bz[n] = tx * l.ay[n] - ty * l.ax[n];
+  /// Brings what single nodes have gathered to the lanes.
+  void join(const CurvatureOperator& op, const CurvatureOperator::Block& block)
+  {
+    for (int i = 0; i < block.shared; ++i) {
+      const int lane = op.shared_lane[block.first_shared + i];
+      lanes.set(lane, lanes.at(lane) + singles[i].vec3());
+    }
   }
-}
-
-TOWFORM_VECTOR_CLONES
-void add_forces(const Patches& p, int nodes, const BendingLanes& __restrict l, Padded* __restrict force)
-{
-  for (int n = 0; n < nodes; ++n) {
-    const Vec4 normal{l.nx[n], l.ny[n], l.nz[n], 0.0};
-    const Vec4 warp = l.warp_moment[n] * normal, weft = l.weft_moment[n] * normal;
-    const YarnPair* weight = p.weight + p.weights_of[n];
-    for (int t = p.first[n]; t < p.first[n + 1]; ++t, ++weight)
-      force[p.point[t]].v -= weight->warp * warp + weight->weft * weft;
-    const auto [a0, a1, b0, b1] = p.ends[n];
-    const Vec4 on_a{l.on_ax[n], l.on_ay[n], l.on_az[n], 0.0}, on_b{l.on_bx[n], l.on_by[n], l.on_bz[n], 0.0};
-    force[a0].v += on_a;
-    force[a1].v -= on_a;
-    force[b0].v += on_b;
-    force[b1].v -= on_b;
-  }
-}
-
-/// Moments of the curvatures, now or in the middle of the time for which they are held; returns the energy lost in damping.
-/// dt from one look at the curvatures to the next.
-double bend(const Bending& bending, int first, int nodes, double dt, YarnPair* curvature, BendingLanes& l)
-{
-  const double ahead = held_ahead(bending.interval);
-  const double warp_viscosity = bending.warp.stiffness() * bending.damping_time / dt;
-  const double weft_viscosity = bending.weft.stiffness() * bending.damping_time / dt;
-  double lost = 0.0;
-  for (int n = 0; n < nodes; ++n) {
-    const double area = bending.area[first + n];
-    const YarnPair now{l.warp_now[n], l.weft_now[n]};
-    const YarnPair change{now.warp - curvature[n].warp, now.weft - curvature[n].weft};
-    l.warp_moment[n] = area * (bending.warp.moment(now.warp + ahead * change.warp) + warp_viscosity * change.warp);
-    l.weft_moment[n] = area * (bending.weft.moment(now.weft + ahead * change.weft) + weft_viscosity * change.weft);
-    lost += area * (warp_viscosity * change.warp * change.warp + weft_viscosity * change.weft * change.weft);
-    curvature[n] = now;
-  }
-  return lost;
-}
+};
 
 /// What a thread needs to compute a block.
 struct BendingWork {
-  std::vector<Padded> position, force;
+  PointVectors position, motion, force;
   BendingLanes lanes;
 
   static BendingWork& here()
   {
-    static thread_local BendingWork work;
-    return work;
+    static thread_local const std::unique_ptr<BendingWork> work = std::make_unique<BendingWork>();
+    return *work;
   }
-  void take(std::span<const int> points, const ImagedPositions& x)
+  /// work(terms, chords' ends, of, first place, nodes) on parts of a block that the lanes hold; `of` finds what the terms are counted in.
+  template <class Work>
+  static void each_part(const CurvatureOperator& op, const CurvatureOperator::Block& block, const Work& work)
   {
-    position.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) position[i].set(x[points[i]]);
-  }
-  /// Adds the block's forces, from its lanes.
-  void give(const Bending& bending, const CurvatureOperator::Block& block, std::span<Vec3> block_force, std::span<Vec3> of_all)
-  {
-    force.assign(static_cast<std::size_t>(block.points.count), {});
-    add_forces(patches(bending, block), block.nodes, lanes, force.data());
-    const BlockSlots& slots = bending.curvature.slots;
-    for (int i = 0; i < block.points.count; ++i) {
-      Vec3& to = slots.target(block.points, i, of_all, block_force);
-      to = slots.reaches_alone(block.points, i) ? to + force[i].vec3() : force[i].vec3();
+    constexpr int most = BendingLanes::size;
+    for (int r = block.first_run; r < block.first_run + block.runs; ++r) {
+      const CurvatureOperator::Run& run = op.runs[r];
+      const StencilTerm* const term = op.term.data() + run.first_term;
+      const auto part = [&](int from, int count) { return std::span(term + from, static_cast<std::size_t>(count)); };
+      const Stencil stencil{part(0, run.warp_terms), part(run.warp_terms, run.weft_terms),
+                            part(run.warp_terms + run.weft_terms, run.change_terms),
+                            {op.run_point.data() + run.first_point, static_cast<std::size_t>(run.points)},
+                            op.times.data() + run.first_time};
+      for (int i = 0; i < run.count; i += most) {
+        Stencil from_here = stencil;
+        from_here.times += i;
+        work(from_here, run.ends, [lane = run.first_lane + i](PointVectors& v) { return v.lanes.from(lane); }, run.first_place + i,
+             std::min(most, run.count - i));
+      }
+    }
+    const int first_place = block.first_place + block.places - block.singles;
+    for (int i = 0; i < block.singles; i += most) {
+      const int n = block.first_single + i;
+      work(Patches{op.first.data() + n, op.point.data(), op.weights_of.data() + n, op.weight.data()}, op.ends.data() + n,
+           [](PointVectors& v) { return v.singles.data(); }, first_place + i, std::min(most, block.singles - i));
     }
   }
-  static Patches patches(const Bending& bending, const CurvatureOperator::Block& block)
+  /// Hands the block's forces on.
+  void give(const CurvatureOperator& op, const CurvatureOperator::Block& block, std::span<Vec3> block_force, std::span<Vec3> of_all)
   {
-    const CurvatureOperator& c = bending.curvature;
-    return {c.first.data() + block.first_node, c.point.data(), c.weights_of.data() + block.first_node, c.weight.data(),
-            c.ends.data() + block.first_node};
+    force.join(op, block);
+    const bool in_lanes = block.runs > 0;
+    const std::uint16_t* lane = op.lane.data() + block.points.first;
+    for (int i = 0; i < block.points.count; ++i) {
+      const Vec3 sum = in_lanes ? force.lanes.at(lane[i]) : force.singles[i].vec3();
+      Vec3& to = op.slots.target(block.points, i, of_all, block_force);
+      to = op.slots.reaches_alone(block.points, i) ? to + sum : sum;
+    }
   }
 };
 
+/// Moments of the curvatures, now or in the middle of the time for which they are held. dt from one look at the curvatures to the next.
+void find_moments(const Bending& bending, double dt, const double* area, YarnPair* curvature, int nodes, BendingLanes& l)
+{
+  const double ahead = held_ahead(bending.interval);
+  const YarnPair stiffness{bending.warp.stiffness(), bending.weft.stiffness()};
+  const YarnPair viscosity{stiffness.warp * bending.damping_time / dt, stiffness.weft * bending.damping_time / dt};
+  if (bending.warp.is_straight() && bending.weft.is_straight()) {
+    bend({stiffness, viscosity, ahead}, area, curvature, nodes, l);
+    return;
+  }
+  for (int n = 0; n < nodes; ++n) {
+    const YarnPair now{l.warp_now[n], l.weft_now[n]};
+    const YarnPair change{now.warp - curvature[n].warp, now.weft - curvature[n].weft};
+    l.warp_moment[n] = area[n] * (bending.warp.moment(now.warp + ahead * change.warp) + viscosity.warp * change.warp);
+    l.weft_moment[n] = area[n] * (bending.weft.moment(now.weft + ahead * change.weft) + viscosity.weft * change.weft);
+    l.lost[n] = area[n] * (viscosity.warp * change.warp * change.warp + viscosity.weft * change.weft * change.weft);
+    curvature[n] = now;
+  }
+}
+
 void bend_block(const Bending& bending, int number, double dt, BendingState& b, State& s, std::span<Vec3> force)
 {
-  const CurvatureOperator::Block& block = bending.curvature.blocks[number];
+  const CurvatureOperator& op = bending.curvature;
+  const CurvatureOperator::Block& block = op.blocks[number];
   BendingWork& w = BendingWork::here();
-  w.take(bending.curvature.slots.points(block.points), {s.position, b.image});
-  gather(BendingWork::patches(bending, block), block.nodes, w.position.data(), w.lanes);
-  curve(block.nodes, w.lanes);
-  b.damping[number] += bend(bending, block.first_node, block.nodes, dt, b.curvature.data() + block.first_node, w.lanes);
-  turn(block.nodes, w.lanes);
-  w.give(bending, block, s.block_force, force);
+  w.position.take(op, block, {s.position, b.image});
+  w.force.clear(block);
+  BendingWork::each_part(op, block, [&](const auto& terms, const auto& ends, const auto& of, int place, int nodes) {
+    BendingLanes& l = w.lanes;
+    differentiate(terms, of(w.position), nodes, l);
+    draw_chords(ends, of(w.position), nodes, l);
+    find_normals(nodes, l);
+    find_curvatures(nodes, l);
+    find_moments(bending, dt, bending.area.data() + place, b.curvature.data() + place, nodes, l);
+    b.damping[number] += sum(l.lost, nodes);
+    turn(nodes, l);
+    spread_moments(terms, l, nodes, of(w.force));
+    spread_chords(ends, l, nodes, of(w.force));
+  });
+  w.give(op, block, s.block_force, force);
 }
 
 void place_images(const Bending& bending, std::span<const Vec3> position, std::vector<Vec3>& image)
@@ -280,30 +245,24 @@ void linear_bending_forces(const Bending& bending, double factor, std::span<cons
   place_images(bending, position, image);
   place_images(bending, motion, image_motion);
   block_force.resize(std::max(block_force.size(), bending.curvature.slots.count()));
-  const double warp_stiffness = factor * bending.warp.stiffness(), weft_stiffness = factor * bending.weft.stiffness();
-  parallel_each(static_cast<int>(bending.curvature.blocks.size()), [&](int number) {
-    const CurvatureOperator::Block& block = bending.curvature.blocks[number];
-    const std::span<const int> points = bending.curvature.slots.points(block.points);
-    const Patches patches = BendingWork::patches(bending, block);
+  const YarnPair stiffness{factor * bending.warp.stiffness(), factor * bending.weft.stiffness()};
+  const CurvatureOperator& op = bending.curvature;
+  parallel_each(static_cast<int>(op.blocks.size()), [&](int number) {
+    const CurvatureOperator::Block& block = op.blocks[number];
     BendingWork& w = BendingWork::here();
-    w.take(points, {position, image});
-    gather(patches, block.nodes, w.position.data(), w.lanes);
-    curve(block.nodes, w.lanes);
-    w.take(points, {motion, image_motion});
-    BendingLanes& l = w.lanes;
-    for (int n = 0; n < block.nodes; ++n) { // the normals stay, the rest is the motion's
-      Vec4 warp{}, weft{};
-      const YarnPair* weight = patches.weight + patches.weights_of[n];
-      for (int t = patches.first[n]; t < patches.first[n + 1]; ++t, ++weight) {
-        warp += weight->warp * w.position[patches.point[t]].v;
-        weft += weight->weft * w.position[patches.point[t]].v;
-      }
-      const double area = bending.area[block.first_node + n];
-      l.warp_moment[n] = area * warp_stiffness * (l.nx[n] * warp[0] + l.ny[n] * warp[1] + l.nz[n] * warp[2]);
-      l.weft_moment[n] = area * weft_stiffness * (l.nx[n] * weft[0] + l.ny[n] * weft[1] + l.nz[n] * weft[2]);
-      l.on_ax[n] = l.on_ay[n] = l.on_az[n] = l.on_bx[n] = l.on_by[n] = l.on_bz[n] = 0.0;
-    }
-    w.give(bending, block, block_force, force);
+    w.position.take(op, block, {position, image});
+    w.motion.take(op, block, {motion, image_motion});
+    w.force.clear(block);
+    BendingWork::each_part(op, block, [&](const auto& terms, const auto& ends, const auto& of, int place, int nodes) {
+      BendingLanes& l = w.lanes;
+      draw_chords(ends, of(w.position), nodes, l);
+      find_normals(nodes, l);
+      differentiate(terms, of(w.motion), nodes, l);
+      find_curvatures(nodes, l);
+      bend(stiffness, bending.area.data() + place, nodes, l);
+      spread_moments(terms, l, nodes, of(w.force));
+    });
+    w.give(op, block, block_force, force);
   });
   assemble(bending, block_force, force);
 }

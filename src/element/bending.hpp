@@ -13,14 +13,14 @@ namespace towform {
 /// moment. Twist costs nothing: of all flat-lying shapes only w = (x . f1)(x . f2) is without energy.
 struct Bending {
   CurvatureOperator curvature;
-  std::vector<double> area; ///< n, of each node [m^2]
+  std::vector<double> area; ///< of the node at each place of `curvature`; 0 where there is none [m^2]
   MomentLaw warp, weft;
   double damping_time = 0.0; ///< M += M'(0..) damping_time dkappa/dt, with the largest slope [s]
   int interval = 1;          ///< steps for which forces are held before they are computed again
 
-  /// `area` of each node [m^2]; `clamped` edges meet their grips without a slope. Throws
+  /// `node_area` of each node [m^2]; `clamped` edges meet their grips without a slope. Throws
   /// std::invalid_argument when the blank has too few nodes to tell its curvature.
-  Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std::vector<double> node_area,
+  Bending(const Blank& blank, std::span<const SymmetryLine> clamped, std::span<const double> node_area,
           MomentLaw of_warp, MomentLaw of_weft);
 
   /// A bound of omega^2 at each node such that the largest bounds that of the sheet [1/s^2]: row sums of the
@@ -31,7 +31,7 @@ struct Bending {
 
 /// What changes of it.
 struct BendingState {
-  std::vector<YarnPair> curvature; ///< n, when the forces were last computed [1/m]
+  std::vector<YarnPair> curvature; ///< at each place, when the forces were last computed [1/m]
   std::vector<Vec3> held;          ///< n, forces of several steps [N]; empty where they are computed at each
   std::vector<double> damping;     ///< per block, lost in bending since the start [J]
   std::vector<Vec3> image;         ///< of the mirror images [m]

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <utility>
@@ -89,40 +90,20 @@ std::vector<char> on_outline(const SurfaceMesh& flat)
   return is_on;
 }
 
-} // namespace
-
-/// What a node's curvatures are made of, by points of the whole sheet. Terms are in an order that depends on the weights alone.
-struct CurvatureOperator::Patch {
-  std::vector<int> points;
-  std::vector<YarnPair> weights;
-  std::vector<std::int64_t> key; ///< the weights but for rounding
-  std::array<int, 4> ends;
-
-  Patch() = default;
-  Patch(const std::vector<int>& its_points, const std::vector<double>& warp, const std::vector<double>& weft,
-        const std::array<int, 4>& its_ends)
-      : ends(its_ends)
-  {
-    constexpr double rounding = 1e-11; // of the largest weight
-    double largest = 0.0;
-    for (const auto* weights_of_one : {&warp, &weft})
-      for (const double w : *weights_of_one) largest = std::max(largest, std::abs(w));
-    struct Term {
-      std::int64_t warp, weft;
-      std::size_t place;
-      auto operator<=>(const Term&) const = default;
-    };
-    const auto whole = [&](double w) { return std::llround(w / (rounding * largest)); };
-    std::vector<Term> terms;
-    for (std::size_t i = 0; i < its_points.size(); ++i) terms.push_back({whole(warp[i]), whole(weft[i]), i});
-    std::sort(terms.begin(), terms.end());
-    for (const Term& term : terms) {
-      points.push_back(its_points[term.place]);
-      weights.push_back({warp[term.place], weft[term.place]});
-      key.insert(key.end(), {term.warp, term.weft});
-    }
+/// Where blocks of nodes begin, and the number of nodes: tiles of the mesh, cut where they are too large.
+std::vector<int> block_starts(std::span<const int> tiles, int nodes)
+{
+  std::vector<int> starts{0};
+  while (starts.back() < nodes) {
+    const auto next = std::upper_bound(tiles.begin(), tiles.end(), starts.back());
+    const int end = next == tiles.end() ? nodes : std::min(*next, nodes), count = end - starts.back();
+    constexpr int most = CurvatureOperator::most_nodes;
+    starts.push_back(starts.back() + (count <= most ? count : std::min(most, (count + 1) / 2)));
   }
-};
+  return starts;
+}
+
+} // namespace
 
 /// Finds weights that are there already.
 class CurvatureOperator::SharedWeights {
@@ -130,7 +111,7 @@ public:
   explicit SharedWeights(std::vector<YarnPair>& all) : all_(all) {}
 
   /// Where a patch's weights begin.
-  int place(const Patch& patch)
+  int place(const CurvaturePatch& patch)
   {
     const auto [at, is_new] = known_.try_emplace(patch.key, static_cast<int>(all_.size()));
     if (is_new) all_.insert(all_.end(), patch.weights.begin(), patch.weights.end());
@@ -148,6 +129,13 @@ private:
   };
   std::vector<YarnPair>& all_;
   std::unordered_map<std::vector<std::int64_t>, int, Hash> known_;
+};
+
+/// A block's nodes, before it is given its places.
+struct CurvatureOperator::Laid {
+  int first_node = 0;
+  std::vector<int> points; ///< ascending
+  StencilLayout layout;
 };
 
 CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const SymmetryLine> clamped, int balance)
@@ -182,47 +170,154 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
       imbalance = std::max(imbalance,
                            balance_moments(sheet, blank.mesh, fits, area, directions[d], balance, weights[d]));
   // Some blocks at a time: all patches together would be what a fine mesh takes most memory for.
-  constexpr std::size_t together = 64 * block_size;
+  constexpr std::size_t together = 64;
+  const std::vector<int> starts = block_starts(blank.tiles.nodes, static_cast<int>(sheet.nodes));
+  nodes_ = sheet.nodes;
   SharedWeights shared(weight);
   first.push_back(0);
-  std::vector<Patch> patches;
-  for (std::size_t begin = 0; begin < sheet.nodes; begin += together) {
-    patches.resize(std::min(together, sheet.nodes - begin));
-    parallel_each(static_cast<int>(patches.size()), [&](int i) {
-      const std::size_t n = begin + static_cast<std::size_t>(i);
-      patches[i] = Patch(std::exchange(fits[n].points, {}), std::exchange(weights[0][n], {}), std::exchange(weights[1][n], {}),
-                         chords[n]);
+  std::vector<std::vector<CurvaturePatch>> patches(together);
+  std::vector<Laid> laid(together);
+  for (std::size_t begin = 0; begin + 1 < starts.size(); begin += together) {
+    const std::size_t count = std::min(together, starts.size() - 1 - begin);
+    parallel_each(static_cast<int>(count), [&](int i) {
+      const auto block = begin + static_cast<std::size_t>(i);
+      patches[i].clear();
+      for (auto n = static_cast<std::size_t>(starts[block]); n < static_cast<std::size_t>(starts[block + 1]); ++n)
+        patches[i].emplace_back(std::exchange(fits[n].points, {}), std::exchange(weights[0][n], {}),
+                                std::exchange(weights[1][n], {}), chords[n]);
+      laid[i] = lay_out(patches[i], starts[block], sheet.points);
     });
-    for (std::size_t i = 0; i < patches.size(); i += block_size)
-      add_block(std::span(patches).subspan(i, std::min<std::size_t>(block_size, patches.size() - i)));
-    for (const Patch& patch : patches) weights_of.push_back(shared.place(patch));
+    for (std::size_t i = 0; i < count; ++i) add_block(patches[i], std::move(laid[i]), shared);
   }
   slots.finish(sheet.nodes); // images hand theirs on
-  point.shrink_to_fit();
+  for (auto* v : {&node, &first, &weights_of}) v->shrink_to_fit();
+  for (auto* v : {&point, &lane, &shared_lane}) v->shrink_to_fit();
+  times.shrink_to_fit();
   weight.shrink_to_fit();
+  ends.shrink_to_fit();
 }
 
-void CurvatureOperator::add_block(std::span<const Patch> patches)
+CurvatureOperator::Laid CurvatureOperator::lay_out(std::span<const CurvaturePatch> patches, int first_node,
+                                                   std::span<const Vec3> flat)
 {
-  std::vector<int> reached;
-  for (const Patch& patch : patches) {
-    reached.insert(reached.end(), patch.points.begin(), patch.points.end());
-    reached.insert(reached.end(), patch.ends.begin(), patch.ends.end());
+  Laid laid;
+  laid.first_node = first_node;
+  std::vector<int>& points = laid.points;
+  for (const CurvaturePatch& patch : patches) {
+    points.insert(points.end(), patch.points.begin(), patch.points.end());
+    points.insert(points.end(), patch.ends.begin(), patch.ends.end());
   }
-  const BlockSlots::Range range = slots.add(std::move(reached));
-  blocks.push_back({static_cast<int>(ends.size()), static_cast<int>(patches.size()), range});
-  const auto local = [&](int of_sheet) { return slots.local(range, of_sheet); };
-  for (const Patch& patch : patches) {
+  for (std::size_t i = 0; i < patches.size(); ++i) points.push_back(first_node + static_cast<int>(i));
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  laid.layout = find_runs(patches, first_node, points, flat);
+  return laid;
+}
+
+void CurvatureOperator::add_block(std::span<const CurvaturePatch> patches, Laid laid, SharedWeights& shared)
+{
+  Block b;
+  const StencilLayout& layout = laid.layout;
+  b.points = slots.add(std::move(laid.points));
+  b.first_place = static_cast<int>(node.size());
+  b.first_run = static_cast<int>(runs.size());
+  b.runs = static_cast<int>(layout.runs.size());
+  b.first_single = static_cast<int>(ends.size());
+  b.lanes = layout.lanes;
+  lane.resize(lane.size() + static_cast<std::size_t>(b.points.count));
+  std::copy(layout.lane.begin(), layout.lane.end(), lane.begin() + b.points.first);
+  std::vector<char> is_placed(patches.size(), 0);
+  for (const StencilRun& run : layout.runs) {
+    Run r;
+    r.first_lane = run.first_lane;
+    r.count = static_cast<int>(run.nodes.size());
+    r.first_place = static_cast<int>(node.size());
+    r.first_term = static_cast<int>(term.size());
+    const auto add_terms = [&](double StencilPoint::* share) {
+      const std::size_t before = term.size();
+      for (const StencilPoint& p : run.points)
+        if (p.*share != 0.0) term.push_back({p.ahead, p.*share});
+      return static_cast<int>(term.size() - before);
+    };
+    r.warp_terms = add_terms(&StencilPoint::warp);
+    r.weft_terms = add_terms(&StencilPoint::weft);
+    r.change_terms = add_terms(&StencilPoint::change);
+    r.first_point = static_cast<int>(run_point.size());
+    r.points = static_cast<int>(run.points.size());
+    r.first_time = static_cast<int>(times.size());
+    r.ends = run.ends;
+    runs.push_back(r);
+    run_point.insert(run_point.end(), run.points.begin(), run.points.end());
+    times.insert(times.end(), run.times.begin(), run.times.end());
+    for (const int n : run.nodes) {
+      node.push_back(n < 0 ? -1 : laid.first_node + n);
+      if (n >= 0) is_placed[static_cast<std::size_t>(n)] = 1;
+    }
+  }
+  std::map<int, std::uint16_t> shared_place; // of a lane
+  b.first_shared = static_cast<int>(shared_lane.size());
+  const auto local = [&](int of_sheet) {
+    const std::uint16_t slot = slots.local(b.points, of_sheet);
+    if (b.runs == 0) return slot;
+    const std::uint16_t its_lane = lane[static_cast<std::size_t>(b.points.first) + slot];
+    const auto [at, is_new] = shared_place.try_emplace(its_lane, static_cast<std::uint16_t>(shared_place.size()));
+    if (is_new) shared_lane.push_back(its_lane);
+    return at->second;
+  };
+  for (std::size_t n = 0; n < patches.size(); ++n) {
+    if (is_placed[n] != 0) continue;
+    const CurvaturePatch& patch = patches[n];
+    node.push_back(laid.first_node + static_cast<int>(n));
     std::transform(patch.points.begin(), patch.points.end(), std::back_inserter(point), local);
     first.push_back(static_cast<int>(point.size()));
+    weights_of.push_back(shared.place(patch));
     const auto& [a0, a1, b0, b1] = patch.ends;
     ends.push_back({local(a0), local(a1), local(b0), local(b1)});
   }
+  b.shared = static_cast<int>(shared_place.size());
+  b.singles = static_cast<int>(ends.size()) - b.first_single;
+  b.places = static_cast<int>(node.size()) - b.first_place;
+  blocks.push_back(b);
+}
+
+std::vector<int> CurvatureOperator::points_by_lane(const Block& block) const
+{
+  const std::span<const int> points = slots.points(block.points);
+  std::vector<int> of_lane(static_cast<std::size_t>(block.lanes), -1);
+  if (block.runs == 0) return of_lane;
+  for (std::size_t i = 0; i < points.size(); ++i) of_lane[lane[static_cast<std::size_t>(block.points.first) + i]] = points[i];
+  return of_lane;
+}
+
+void CurvatureOperator::fill(Patch& patch, const Run& run, int number, std::span<const int> point_of_lane) const
+{
+  const auto at = [&](int lanes) { return point_of_lane[static_cast<std::size_t>(run.first_lane + number + lanes)]; };
+  patch.point_.clear();
+  patch.weight_.clear();
+  const YarnPair change = run.change_terms > 0 ? times[run.first_time + number] : YarnPair{};
+  for (int i = run.first_point; i < run.first_point + run.points; ++i) {
+    const StencilPoint& p = run_point[i];
+    patch.point_.push_back(at(p.ahead));
+    patch.weight_.push_back({p.warp + change.warp * p.change, p.weft + change.weft * p.change});
+  }
+  std::transform(run.ends.begin(), run.ends.end(), patch.ends.begin(), at);
+}
+
+void CurvatureOperator::fill(Patch& patch, const Block& block, int single, std::span<const int> point_of_lane) const
+{
+  const std::span<const int> points = slots.points(block.points);
+  const auto at = [&](int its) { return block.runs == 0 ? points[its] : point_of_lane[shared_lane[block.first_shared + its]]; };
+  const int n = block.first_single + single;
+  patch.point_.clear();
+  for (int t = first[n]; t < first[n + 1]; ++t) patch.point_.push_back(at(point[t]));
+  const auto its = weight.begin() + weights_of[n];
+  patch.weight_.assign(its, its + (first[n + 1] - first[n]));
+  std::transform(ends[n].begin(), ends[n].end(), patch.ends.begin(), at);
 }
 
 bool CurvatureOperator::complete() const
 {
-  for (std::size_t n = 0; n < nodes(); ++n)
+  for (std::size_t n = 0; n + 1 < first.size(); ++n)
     if (first[n] == first[n + 1]) return false;
   return true;
 }
@@ -233,18 +328,17 @@ std::vector<YarnPair> CurvatureOperator::at(std::span<const Vec3> position) cons
   for (const MirrorImage& i : images) image.push_back(i.position(position));
   const ImagedPositions x(position, image);
   std::vector<YarnPair> curvature(nodes());
-  parallel_ranges(static_cast<std::ptrdiff_t>(nodes()), [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) {
+  parallel_each(static_cast<int>(blocks.size()), [&](int number) {
+    each_node(blocks[number], [&](int place, const Patch& patch) {
       Vec3 warp, weft;
-      each_term(static_cast<std::size_t>(n), [&](int of_sheet, const YarnPair& share) {
-        warp += share.warp * x[of_sheet];
-        weft += share.weft * x[of_sheet];
+      patch.each_term([&](int its_point, const YarnPair& share) {
+        warp += share.warp * x[its_point];
+        weft += share.weft * x[its_point];
       });
-      const std::span<const int> points = slots.points(blocks[static_cast<std::size_t>(n) / block_size].points);
-      const auto end_of = [&](std::size_t k) { return x[points[ends[n][k]]]; };
-      const Vec3 normal = normalized(cross(end_of(1) - end_of(0), end_of(3) - end_of(2)));
-      curvature[n] = {dot(normal, warp), dot(normal, weft)};
-    }
+      const auto& [a0, a1, b0, b1] = patch.ends;
+      const Vec3 normal = normalized(cross(x[a1] - x[a0], x[b1] - x[b0]));
+      curvature[node[place]] = {dot(normal, warp), dot(normal, weft)};
+    });
   });
   return curvature;
 }

@@ -24,10 +24,12 @@ public:
     energy_.pop_back();
   }
 
+  /// One line through the origin.
+  [[nodiscard]] bool is_straight() const { return slope_.size() == 1; }
   /// M [N].
   [[nodiscard]] double moment(double curvature) const
   {
-    if (slope_.size() == 1) return slope_.front() * curvature;
+    if (is_straight()) return slope_.front() * curvature;
     const std::size_t i = line(std::abs(curvature));
     return std::copysign(corner_[i].moment + slope_[i] * (std::abs(curvature) - corner_[i].curvature),
                          curvature);

@@ -22,10 +22,18 @@ inline Bending bending_of(const Blank& blank, double warp, double weft,
   return {blank, clamped, node_areas(blank), MomentLaw(warp), MomentLaw(weft)};
 }
 
+/// work(node, place, patch) for every node.
+template <class Work>
+void each_node(const CurvatureOperator& op, const Work& work)
+{
+  for (const CurvatureOperator::Block& block : op.blocks)
+    op.each_node(block, [&](int place, const CurvatureOperator::Patch& patch) { work(op.node[place], place, patch); });
+}
+
 /// Elastic forces and energy at given positions.
 struct Bent {
   std::vector<Vec3> force;
-  BendingState state;
+  std::vector<YarnPair> curvature; ///< of each node
   double energy = 0.0;
 
   Bent(const Bending& bending, const std::vector<Vec3>& position)
@@ -33,9 +41,13 @@ struct Bent {
     State s;
     s.position = position;
     s.force.assign(position.size(), {});
+    BendingState state;
     start(bending, position, state);
     bending_forces(bending, state, s, 1.0);
     force = s.force;
+    curvature.resize(position.size());
+    for (std::size_t place = 0; place < state.curvature.size(); ++place)
+      if (const int n = bending.curvature.node[place]; n >= 0) curvature[n] = state.curvature[place];
     energy = bending_energy(bending, state);
   }
 };
