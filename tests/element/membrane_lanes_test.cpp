@@ -24,6 +24,39 @@ TEST(Arcsine, IsExactToTheLastBits)
   EXPECT_TRUE(std::isnan(arcsine(std::nan(""))));
 }
 
+/// Stretches from far below 1 to far above: some of a batch, and whole batches, that are near 1 and that are not.
+TEST(MembraneBatch, MeasuresSmallAndLargeStretchesOfYarnsToTheLastBits)
+{
+  const int count = 61;
+  MembraneBatch b{};
+  const auto lanes = std::make_unique<BlockLanes>();
+  const std::vector<double> one(count, 1.0), none(count, 0.0), area(count, 0.25);
+  for (const double range : {1e-9, 1e-3, 7.7e-3, 7.9e-3, 0.05, 0.2, 0.9}) {
+    for (int i = 0; i < count; ++i) {
+      const double along = 1.0 + range * (i - 30) / 30.0, across = 1.0 - 0.5 * range * (i - 30) / 30.0;
+      b.d1x[i] = 0.6 * along;
+      b.d1y[i] = 0.8 * along;
+      b.d1z[i] = 0.0;
+      b.d2x[i] = 0.0;
+      b.d2y[i] = -0.28 * across;
+      b.d2z[i] = 0.96 * across;
+    }
+    yarn_vectors({one.data(), none.data(), none.data(), one.data(), area.data()}, b, 3, count, *lanes);
+    for (int i = 0; i < count; ++i) {
+      const double along = 1.0 + range * (i - 30) / 30.0, across = 1.0 - 0.5 * range * (i - 30) / 30.0;
+      const int warp = 3 + i, weft = BlockLanes::size + 3 + i;
+      EXPECT_NEAR(lanes->weighed_strain[warp], 0.25 * (along - 1.0), 2e-16) << range;
+      EXPECT_NEAR(lanes->weighed_strain[weft], 0.25 * (across - 1.0), 2e-16) << range;
+      EXPECT_NEAR(lanes->over_stretch[warp] * along, 1.0, 5e-16);
+      EXPECT_NEAR(lanes->over_stretch[weft] * across, 1.0, 5e-16);
+      EXPECT_NEAR(lanes->f1x[warp], 0.6, 4e-16);
+      EXPECT_NEAR(lanes->f1y[warp], 0.8, 5e-16);
+      EXPECT_NEAR(lanes->f2y[warp], -0.28, 3e-16);
+      EXPECT_NEAR(lanes->f2z[warp], 0.96, 6e-16);
+    }
+  }
+}
+
 /// Loading, unloading, rest and reversal at rates over many decades, side by side and point by point.
 TEST(MembraneBatch, AdvancesTheViscousLawToTheSameBits)
 {
