@@ -9,7 +9,7 @@ namespace towform {
 struct NodeLanes {
   static constexpr int size = 128;
   static constexpr int group = 8;
-  using Lanes = double[size]; // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
+  using Lanes = double[size + 8]; // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise
 
   alignas(64) Lanes x, y, z;    ///< [m]
   // Where a tool touches the block:
