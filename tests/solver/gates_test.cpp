@@ -137,7 +137,8 @@ TEST_F(Gate, MotionFasterThanWaves)
 
 TEST_F(Gate, CollapsedElement)
 {
-  // Two grips bring opposite edges together: the yarns between them are left without length.
+  // Two grips bring opposite edges together: the yarns between them are left without length. Small steps: the stable one falls
+  // fast, and must be looked at again before the sheet runs away.
   text += R"([[boundary]]
 name = "west"
 edge = "left"
@@ -148,7 +149,7 @@ edge = "right"
 motion = { axis = "x", profile = "table", table = [[0, 0], ["3 ms", "-29.99 mm"], ["5 ms", "-29.99 mm"]] }
 )";
   const std::string message =
-      stop({"tool.ball.position=[0, 0, 0.01]", "blank.elements=8", "material.compression_factor=0",
+      stop({"tool.ball.position=[0, 0, 0.01]", "blank.elements=8", "time.safety=0.3", "material.compression_factor=0",
             "material.relaxation_ratio=1", "gates.penetration=1", "gates.yarn_strain=100", "gates.energy_error=1e9",
             "gates.kinetic_to_internal=1e9"},
            ExitCode::stability_gate);
