@@ -19,15 +19,15 @@ namespace towform {
 /// Exact where positions are quadratic over the flat blank, whatever the mesh. Yarns being nearly
 /// inextensible, this is the curvature of the yarn itself; its bending in the sheet's plane is left out.
 struct CurvatureOperator {
-  /// Nodes of a block that share one patch, in consecutive lanes (element/stencil_runs.hpp).
+  /// Nodes of a block whose patches are alike, in consecutive lanes (element/stencil_runs.hpp).
   struct Run {
     int first_lane = 0, count = 0;
     int first_place = 0;
-    int first_term = 0;                                           ///< in `term`: of the warp, the weft and the change
-    int warp_terms = 0, weft_terms = 0, change_terms = 0;         ///< none of the change where all are alike
-    int first_point = 0, points = 0;                              ///< in `run_point`
-    int first_time = 0;                                           ///< in `times`
-    std::array<int, 4> ends{};                                    ///< of the chords, as lanes ahead
+    int first_term = 0;                                   ///< in `term`: of the warp, the weft and the change
+    int warp_terms = 0, weft_terms = 0, change_terms = 0; ///< none of the change where all are alike
+    int first_point = 0, points = 0;                      ///< in `run_point`
+    int first_time = 0;                                   ///< in `times`
+    std::array<int, 4> ends{};                            ///< of the chords, as lanes ahead
   };
   /// Nodes that one thread computes at a time, and the points of their patches: nodes, and beyond these images. Points are
   /// counted within the block. Runs come first, then the other nodes one by one.
@@ -35,8 +35,8 @@ struct CurvatureOperator {
     int first_place = 0, places = 0;
     int first_run = 0, runs = 0;
     int first_single = 0, singles = 0;
-    int lanes = 0;                     ///< none without runs
-    int first_shared = 0, shared = 0;  ///< points of single nodes, where there are lanes too
+    int lanes = 0;                    ///< none without runs
+    int first_shared = 0, shared = 0; ///< points of single nodes, where there are lanes too
     BlockSlots::Range points;
   };
   static constexpr int most_nodes = 512; ///< of a block

@@ -29,9 +29,9 @@ std::size_t commonest(std::span<const CurvaturePatch> patches)
 }
 
 /// Cells that half the chords of a node span, and the place of each point in their rows.
-class Lattice {
+class PatchLattice {
 public:
-  Lattice(const CurvaturePatch& patch, const Vec3& origin, std::span<const int> points, std::span<const Vec3> flat)
+  PatchLattice(const CurvaturePatch& patch, const Vec3& origin, std::span<const int> points, std::span<const Vec3> flat)
   {
     const auto& [a0, a1, b0, b1] = patch.ends;
     const Vec3 along = 0.5 * (flat[a1] - flat[a0]), across = 0.5 * (flat[b1] - flat[b0]);
@@ -209,7 +209,7 @@ StencilLayout find_runs(std::span<const CurvaturePatch> patches, int first_node,
 {
   if (patches.size() < fewest) return {};
   const std::size_t origin = commonest(patches);
-  Lattice lattice(patches[origin], flat[static_cast<std::size_t>(first_node) + origin], points, flat);
+  PatchLattice lattice(patches[origin], flat[static_cast<std::size_t>(first_node) + origin], points, flat);
   if (lattice.lanes == 0) return {};
   const auto lane_of = [&](int point) {
     return static_cast<int>(lattice.lane[static_cast<std::size_t>(std::lower_bound(points.begin(), points.end(), point) - points.begin())]);
