@@ -7,14 +7,14 @@ namespace towform {
 
 namespace {
 
-/// Wall time of a step of an element on one thread, contact and all [s]: the double dome takes 38 ns on an AMD EPYC and 53 on
-/// the machine of docs/benchmarks.md; bending, most of the time held, adds some 5.
-constexpr double element_step = 45e-9, bending_step = 5e-9;
+/// Wall time of a step of an element on one thread, contact and all [s]: the double dome took 38 ns on an AMD EPYC, and takes
+/// some 50 on the machine of docs/benchmarks.md; bending, most of the time held, adds some 3.
+constexpr double element_step = 45e-9, bending_step = 3e-9;
 /// Threads wait for each other: of each further one this part counts (measured with two, assumed for more).
 constexpr double further_thread = 0.85;
 /// Peak memory: 85 MB with 21,672 triangles over the whole press; with more from docs/benchmarks.md, its first steps, to which a
 /// measurement of the stable step adds some 60 bytes an element (counted).
-constexpr double memory_alone = 75e6, memory_element = 450.0; // [bytes]
+constexpr double memory_alone = 75e6, memory_element = 430.0; // [bytes]
 
 std::string shown_time(double seconds)
 {

@@ -25,7 +25,7 @@ and 22 GB/s a thread, 10 ns of arithmetic) an earlier program took 35 and 17 ns,
 
 **Sizes.** The aim is within 20 % of the middle from 5,000 to 1,000,000 elements: it is {spread_one} % on one thread, {spread_two} % on two. What
 elements of one shape are made of they share, so that the membrane costs a fine mesh hardly more than one that lies in the cache; what does
-cost more there is bending, whose waves are so fast that its forces can hardly be held.
+cost more there is bending, whose waves are so fast that its forces can hardly be held. Nodes of a regular mesh bend side by side, in vectors.
 
 **Memory.** The aim is 400 bytes an element. An element more of a fine mesh takes {more}; with the program, its libraries and the
 tools, {alone} MB, it is {all_bytes} at {largest} elements. These are first steps; later, whenever the stable step is measured again, some 60
