@@ -5,7 +5,7 @@
 namespace towform {
 
 /// A block of nodes side by side, so that one instruction serves several. What is seldom needed is looked at for a group of
-/// eight together.
+/// eight together. Arrays are longer than they need be: a power of two apart, loads would wait for stores.
 struct NodeLanes {
   static constexpr int size = 128;
   static constexpr int group = 8;

@@ -9,6 +9,7 @@
 namespace towform {
 
 /// Some of a block's nodes side by side, so that one instruction serves several. Names as in Bending; a and b are the chords.
+/// Arrays are longer than they need be: a power of two apart, loads would wait for stores.
 struct BendingLanes {
   static constexpr int size = 128;
   using Lanes = double[size + 8]; // NOLINT(modernize-avoid-c-arrays): plain loops over them vectorise

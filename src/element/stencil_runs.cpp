@@ -54,12 +54,15 @@ public:
       high = {std::max(high.column, place.column), std::max(high.row, place.row)};
     }
     const std::int64_t columns = high.column - low.column + 1, count = columns * (high.row - low.row + 1);
-    const auto others = std::count(places.begin(), places.end(), std::nullopt);
-    if (count + others > StencilLayout::most_lanes) return;
+    if (count > StencilLayout::most_lanes) return;
     in_rows = lanes = static_cast<int>(count);
-    for (const std::optional<Place>& place : places)
-      lane.push_back(static_cast<std::uint16_t>(
-          place ? (place->row - low.row) * columns + (place->column - low.column) : lanes++));
+    std::vector<char> is_taken(static_cast<std::size_t>(count), 0); // images behind an edge may lie on other parts of the sheet
+    for (const std::optional<Place>& place : places) {
+      const std::int64_t in_row = place ? (place->row - low.row) * columns + (place->column - low.column) : count;
+      const bool has_place = place && std::exchange(is_taken[static_cast<std::size_t>(in_row)], 1) == 0;
+      lane.push_back(static_cast<std::uint16_t>(has_place ? in_row : lanes++));
+    }
+    if (lanes > StencilLayout::most_lanes) lanes = 0;
   }
 
   int lanes = 0, in_rows = 0; ///< the first ones are in rows
