@@ -12,7 +12,7 @@ void VectorLanes::clear(int lanes)
 
 namespace {
 
-/// The first three terms, or one more.
+/// A sum's first three terms.
 TOWFORM_VECTOR_CLONES
 void sum_three(const StencilTerm* t, const Components& field, int count, double* to_x, double* to_y, double* to_z)
 {
@@ -30,6 +30,7 @@ void sum_three(const StencilTerm* t, const Components& field, int count, double*
   }
 }
 
+/// One more.
 TOWFORM_VECTOR_CLONES
 void add_one(const StencilTerm& t, const Components& field, int count, double* to_x, double* to_y, double* to_z)
 {

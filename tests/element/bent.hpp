@@ -1,9 +1,24 @@
 #pragma once
 #include "element/bending.hpp"
 #include "element/sheet.hpp"
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace towform::test {
+
+/// All ways in which a mesh can lie under the yarns: pattern, grid lines against the warp.
+inline const std::vector<std::pair<Pattern, double>> meshes{{Pattern::diagonal, 0.0},  {Pattern::diagonal, 25.0},
+                                                     {Pattern::diagonal, 45.0}, {Pattern::cross, 0.0},
+                                                     {Pattern::cross, 25.0},    {Pattern::unstructured, 0.0}};
+
+inline std::string named(Pattern pattern, double angle)
+{
+  return (pattern == Pattern::diagonal ? "diagonal"
+          : pattern == Pattern::cross  ? "cross"
+                                       : "unstructured") +
+         std::string(" at ") + std::to_string(static_cast<int>(angle)) + " degrees";
+}
 
 inline std::vector<double> node_areas(const Blank& blank)
 {
