@@ -179,6 +179,16 @@ void spread_chords(const std::array<int, 4>& ends, const BendingLanes& l, int co
   on_end(-1.0, l.on_bx, l.on_by, l.on_bz, b1);
 }
 
+namespace {
+/// A vector's components in their lanes.
+inline void put(const Vec4& v, int lane, double* x, double* y, double* z)
+{
+  x[lane] = v[0];
+  y[lane] = v[1];
+  z[lane] = v[2];
+}
+} // namespace
+
 TOWFORM_VECTOR_CLONES
 void differentiate(const Patches& p, const Padded* __restrict field, int nodes, BendingLanes& __restrict l)
 {
@@ -190,12 +200,8 @@ void differentiate(const Patches& p, const Padded* __restrict field, int nodes, 
       warp += weight->warp * at;
       weft += weight->weft * at;
     }
-    l.warp_x[n] = warp[0];
-    l.warp_y[n] = warp[1];
-    l.warp_z[n] = warp[2];
-    l.weft_x[n] = weft[0];
-    l.weft_y[n] = weft[1];
-    l.weft_z[n] = weft[2];
+    put(warp, n, l.warp_x, l.warp_y, l.warp_z);
+    put(weft, n, l.weft_x, l.weft_y, l.weft_z);
   }
 }
 
@@ -205,12 +211,8 @@ void draw_chords(const std::array<std::uint16_t, 4>* ends, const Padded* __restr
   for (int n = 0; n < nodes; ++n) {
     const auto [a0, a1, b0, b1] = ends[n];
     const Vec4 a = position[a1].v - position[a0].v, b = position[b1].v - position[b0].v;
-    l.ax[n] = a[0];
-    l.ay[n] = a[1];
-    l.az[n] = a[2];
-    l.bx[n] = b[0];
-    l.by[n] = b[1];
-    l.bz[n] = b[2];
+    put(a, n, l.ax, l.ay, l.az);
+    put(b, n, l.bx, l.by, l.bz);
   }
 }
 
