@@ -116,10 +116,7 @@ struct Groups {
 double least_gap(const GapLanes& gaps, const Groups& groups)
 {
   double least = HUGE_VAL;
-  for (const std::uint8_t g : groups) {
-    const double* const first = gaps.gap + g * NodeLanes::group;
-    least = std::min(least, *std::min_element(first, first + NodeLanes::group));
-  }
+  for (const std::uint8_t g : groups) least = std::min(least, gaps.least[g]);
   return least;
 }
 
@@ -145,33 +142,33 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
       if (out[i] != 0) search_for(i);
   GapLanes gaps;
   // A plane tells nothing of a node that has come behind it.
-  const auto search_for_deep = [&](const Groups& groups) {
-    for (const std::uint8_t g : groups)
-      for (int i = g * NodeLanes::group; i < (g + 1) * NodeLanes::group; ++i)
-        if (gaps.gap[i] < -m.law.half_thickness && out[i] == 0) search_for(i);
+  const auto search_for_deep = [&](int g) {
+    for (int i = g * NodeLanes::group; i < (g + 1) * NodeLanes::group; ++i)
+      if (gaps.gap[i] < -m.law.half_thickness && out[i] == 0) search_for(i);
   };
   // Groups that touched a step ago are pressed anyway; of the others those that may touch are measured first.
   Groups near, pressed;
   for (int g = 0; g * NodeLanes::group < count; ++g)
     if (lanes.near[g] != 0 && lanes.touching[g] == 0) near.add(g);
-  if (measure(nodes, lanes, m.law, near.begin(), near.count, gaps) > 0) {
-    search_for_deep(near);
+  if (measure(nodes, lanes, m.law, near.begin(), near.count, gaps)) {
+    for (const std::uint8_t g : near) search_for_deep(g);
     measure(nodes, lanes, m.law, near.begin(), near.count, gaps);
   }
   for (int g = 0; g * NodeLanes::group < count; ++g)
-    if (lanes.touching[g] != 0 || (lanes.near[g] != 0 && gaps.touch[g] != 0)) pressed.add(g);
+    if (lanes.touching[g] != 0 || (lanes.near[g] != 0 && gaps.least[g] < 0.0)) pressed.add(g);
   if (pressed.count == 0) {
     if (const double gap = least_gap(gaps, near); gap > worth_a_rest * planes.moved)
       quiet_until = planes.way + std::min(gap, least_room(nodes, lanes, m.law.shift, count));
     return {};
   }
   block.bring_motion();
-  PushLanes push;
-  if (press(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push) > 0) {
-    search_for_deep(pressed);
-    press(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push);
+  PressLanes sums;
+  int done = press(nodes, lanes, m.law, pressed.begin(), 0, pressed.count, false, gaps, sums);
+  while (done < pressed.count) {
+    search_for_deep(*(pressed.begin() + done));
+    done = press(nodes, lanes, m.law, pressed.begin(), done, pressed.count, true, gaps, sums);
   }
-  return rub(nodes, lanes, m.law, pressed.begin(), pressed.count, gaps, push);
+  return total(sums);
 }
 
 /// What the blocks tell of a tool, in their order.

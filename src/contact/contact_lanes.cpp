@@ -83,46 +83,41 @@ double least_room(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shi
 namespace {
 constexpr int group = NodeLanes::group;
 
-/// How many of a group's gaps are below `least`.
-inline std::int64_t below(const double* gaps, double least)
+/// The least of a group.
+inline double least(const double* v)
 {
-  std::int64_t count = 0;
-  for (int k = 0; k < group; ++k) count += gaps[k] < least ? 1 : 0;
-  return count;
+  static_assert(group == 8);
+  const auto of_two = [](double a, double b) { return a < b ? a : b; };
+  double four[4]; // NOLINT(modernize-avoid-c-arrays)
+  for (int k = 0; k < 4; ++k) four[k] = of_two(v[k], v[k + 4]);
+  return of_two(of_two(four[0], four[2]), of_two(four[1], four[3]));
 }
 } // namespace
 
 TOWFORM_VECTOR_CLONES
-int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-            GapLanes& __restrict gaps)
+bool measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
+             GapLanes& __restrict gaps)
 {
   const double* __restrict normal_x = c.normal_x;
   const double* __restrict normal_y = c.normal_y;
   const double* __restrict normal_z = c.normal_z;
   const double* __restrict offset = c.offset;
   const double shift_x = law.shift.x, shift_y = law.shift.y, shift_z = law.shift.z, half = law.half_thickness;
-  std::int64_t deep = 0;
+  bool deep = false;
   for (int number = 0; number < count; ++number) {
     const int g = groups[number], first = g * group;
+    TOWFORM_WHOLE
     for (int i = first; i < first + group; ++i) {
       const double px = nodes.x[i] - shift_x, py = nodes.y[i] - shift_y, pz = nodes.z[i] - shift_z;
       gaps.gap[i] = (normal_x[i] * px + normal_y[i] * py + normal_z[i] * pz - offset[i]) - half;
     }
-    gaps.touch[g] = below(gaps.gap + first, 0.0);
-    deep += below(gaps.gap + first, -half);
+    gaps.least[g] = least(gaps.gap + first);
+    deep = deep || gaps.least[g] < -half;
   }
-  return static_cast<int>(deep);
+  return deep;
 }
 
 namespace {
-
-/// Sums of a block's lanes, one for each place in a group.
-struct SideBySide {
-  using Lanes = double[group]; // NOLINT(modernize-avoid-c-arrays)
-  alignas(64) Lanes fx{}, fy{}, fz{}, elastic{}, damped{}, rubbed{}, stiffness{}, depth{};
-};
-
-double total(const double* v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
 
 /// Depth of a linear spring of the full stiffness that presses as much.
 inline double compressed(const ContactLaw& l, double depth)
@@ -134,69 +129,8 @@ inline double compressed(const ContactLaw& l, double depth)
 } // namespace
 
 TOWFORM_VECTOR_CLONES
-int press(const NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* __restrict groups,
-          int count, GapLanes& __restrict gaps, PushLanes& __restrict p)
-{
-  const double* __restrict normal_x = c.normal_x;
-  const double* __restrict normal_y = c.normal_y;
-  const double* __restrict normal_z = c.normal_z;
-  const double* __restrict offset = c.offset;
-  const double* __restrict stick_x = c.stick_x;
-  const double* __restrict stick_y = c.stick_y;
-  const double* __restrict stick_z = c.stick_z;
-  const ContactLaw l = law;
-  std::int64_t deep = 0;
-  for (int number = 0; number < count; ++number) {
-    const int g = groups[number], first = g * group;
-    TOWFORM_INDEPENDENT
-    for (int k = 0; k < group; ++k) {
-      const int i = first + k;
-      const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i];
-      const double px = nodes.x[i] - l.shift.x, py = nodes.y[i] - l.shift.y, pz = nodes.z[i] - l.shift.z;
-      const double gap = (nx * px + ny * py + nz * pz - offset[i]) - l.half_thickness;
-      gaps.gap[i] = gap;
-      const double vx = nodes.vx[i] - l.velocity.x, vy = nodes.vy[i] - l.velocity.y, vz = nodes.vz[i] - l.velocity.z;
-      const double stiffness = l.stiffness_per_area * nodes.area[i], damping = l.damping_per_area * nodes.area[i];
-      const double opening = vx * nx + vy * ny + vz * nz;
-      const double wanted = stiffness * compressed(l, -gap) - damping * opening;
-      const double pressed = wanted > 0.0 ? wanted : 0.0;
-      const double tx = l.dt * (vx - opening * nx), ty = l.dt * (vy - opening * ny), tz = l.dt * (vz - opening * nz);
-      const double lift = stick_x[i] * nx + stick_y[i] * ny + stick_z[i] * nz;
-      const double rx = stick_x[i] - lift * nx + tx, ry = stick_y[i] - lift * ny + ty,
-                   rz = stick_z[i] - lift * nz + tz;
-      const double spring = l.stick_ratio * stiffness, limit = l.friction * pressed;
-      const double stretch_squared = rx * rx + ry * ry + rz * rz;
-      const bool slips = spring * spring * stretch_squared > limit * limit;
-      const double dashpot = slips ? 0.0 : l.stick_ratio * l.damping_per_area / l.dt * nodes.area[i];
-      const double hx = spring * rx + dashpot * tx, hy = spring * ry + dashpot * ty, hz = spring * rz + dashpot * tz;
-      p.rx[i] = rx;
-      p.ry[i] = ry;
-      p.rz[i] = rz;
-      p.tx[i] = tx;
-      p.ty[i] = ty;
-      p.tz[i] = tz;
-      p.hx[i] = hx;
-      p.hy[i] = hy;
-      p.hz[i] = hz;
-      p.pressed[i] = pressed;
-      p.opening[i] = opening;
-      p.stretch_squared[i] = stretch_squared;
-      p.size_squared[i] = hx * hx + hy * hy + hz * hz; // slipping, that of the spring alone
-      p.slips[i] = slips ? 1.0 : 0.0;
-    }
-    gaps.touch[g] = below(gaps.gap + first, 0.0);
-    deep += below(gaps.gap + first, -l.half_thickness);
-  }
-  return static_cast<int>(deep);
-}
-
-namespace {
-
-/// Lets it slip back to the cone.
-TOWFORM_VECTOR_CLONES
-void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law,
-                const std::uint8_t* __restrict groups, int count, const GapLanes& __restrict gaps,
-                const PushLanes& __restrict p, SideBySide& __restrict sums)
+int press(NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* __restrict groups,
+          int from, int count, bool searched, GapLanes& __restrict gaps, PressLanes& __restrict sums)
 {
   const double* __restrict normal_x = c.normal_x;
   const double* __restrict normal_y = c.normal_y;
@@ -205,29 +139,57 @@ void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Contac
   double* __restrict stick_y = c.stick_y;
   double* __restrict stick_z = c.stick_z;
   double* __restrict normal_force = c.normal_force;
+  const double* __restrict offset = c.offset;
+  std::uint8_t* __restrict touching = c.touching;
   const ContactLaw l = law;
-  SideBySide s;
-  for (int number = 0; number < count; ++number) {
-    const int first = groups[number] * group;
+  PressLanes s = sums;
+  int number = from;
+  for (; number < count; ++number) {
+    const int g = groups[number], first = g * group;
+    TOWFORM_WHOLE
+    for (int k = 0; k < group; ++k) {
+      const int i = first + k;
+      const double px = nodes.x[i] - l.shift.x, py = nodes.y[i] - l.shift.y, pz = nodes.z[i] - l.shift.z;
+      gaps.gap[i] = (normal_x[i] * px + normal_y[i] * py + normal_z[i] * pz - offset[i]) - l.half_thickness;
+    }
+    gaps.least[g] = least(gaps.gap + first);
+    if (gaps.least[g] < -l.half_thickness && !(searched && number == from)) break;
+    touching[g] = gaps.least[g] < 0.0 ? 1 : 0;
     TOWFORM_INDEPENDENT
     for (int k = 0; k < group; ++k) {
       const int i = first + k;
-      const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i], gap = gaps.gap[i], pressed = p.pressed[i];
-      const double was_pressed = normal_force[i];
-      const double stiffness = l.stiffness_per_area * nodes.area[i], spring = l.stick_ratio * stiffness;
-      const double limit = l.friction * pressed, size_squared = p.size_squared[i];
-      const bool slips = p.slips[i] > 0.0, cut = size_squared > limit * limit;
+      const double nx = normal_x[i], ny = normal_y[i], nz = normal_z[i], gap = gaps.gap[i];
+      const double vx = nodes.vx[i] - l.velocity.x, vy = nodes.vy[i] - l.velocity.y, vz = nodes.vz[i] - l.velocity.z;
+      const double stiffness = l.stiffness_per_area * nodes.area[i], damping = l.damping_per_area * nodes.area[i];
+      const double opening = vx * nx + vy * ny + vz * nz;
+      const double linear = compressed(l, -gap);
+      const double wanted = stiffness * linear - damping * opening;
+      const double pressed = wanted > 0.0 ? wanted : 0.0;
+
+      // As if the node stuck:
+      const double tx = l.dt * (vx - opening * nx), ty = l.dt * (vy - opening * ny), tz = l.dt * (vz - opening * nz);
+      const double lift = stick_x[i] * nx + stick_y[i] * ny + stick_z[i] * nz;
+      const double rx = stick_x[i] - lift * nx + tx, ry = stick_y[i] - lift * ny + ty, rz = stick_z[i] - lift * nz + tz;
+      const double spring = l.stick_ratio * stiffness, limit = l.friction * pressed;
+      const double stretch_squared = rx * rx + ry * ry + rz * rz;
+      const bool slips = spring * spring * stretch_squared > limit * limit;
+      const double dashpot = slips ? 0.0 : l.stick_ratio * l.damping_per_area / l.dt * nodes.area[i];
+      const double hx = spring * rx + dashpot * tx, hy = spring * ry + dashpot * ty, hz = spring * rz + dashpot * tz;
+      const double size_squared = hx * hx + hy * hy + hz * hz; // slipping, that of the spring alone
+
+      // Back to the cone:
+      const bool cut = size_squared > limit * limit;
       const double share = cut ? limit / std::sqrt(cut ? size_squared : 1.0) : 1.0;
-      const double gx = -share * p.hx[i], gy = -share * p.hy[i], gz = -share * p.hz[i];
+      const double gx = -share * hx, gy = -share * hy, gz = -share * hz;
       const double kept = slips ? share : 1.0;
-      const double sx = kept * p.rx[i], sy = kept * p.ry[i], sz = kept * p.rz[i];
-      const double by_slip = spring * kept * (1.0 - kept) * p.stretch_squared[i];
-      const double by_dashpot =
-          -((gx + spring * sx) * p.tx[i] + (gy + spring * sy) * p.ty[i] + (gz + spring * sz) * p.tz[i]);
+      const double sx = kept * rx, sy = kept * ry, sz = kept * rz;
+      const double by_slip = spring * kept * (1.0 - kept) * stretch_squared;
+      const double by_dashpot = -((gx + spring * sx) * tx + (gy + spring * sy) * ty + (gz + spring * sz) * tz);
 
       const bool on = gap < 0.0;
       const double fx = on ? pressed * nx + gx : 0.0, fy = on ? pressed * ny + gy : 0.0,
                    fz = on ? pressed * nz + gz : 0.0;
+      const double was_pressed = normal_force[i];
       stick_x[i] = on ? sx : 0.0;
       stick_y[i] = on ? sy : 0.0;
       stick_z[i] = on ? sz : 0.0;
@@ -238,13 +200,13 @@ void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Contac
       s.fx[k] += fx;
       s.fy[k] += fy;
       s.fz[k] += fz;
-      const double linear = compressed(l, -gap), at_joint = l.soft * l.soft_depth;
+      const double at_joint = l.soft * l.soft_depth;
       const double squared = linear * linear + (linear < at_joint ? linear : at_joint) * (-gap - linear);
       const double stored = 0.5 * stiffness * squared + 0.5 * spring * (sx * sx + sy * sy + sz * sz);
       s.elastic[k] += on ? stored : 0.0;
-      const double was = compressed(l, p.opening[i] * l.dt - gap), was_linear = was > 0.0 ? was : 0.0; // a step ago
+      const double was = compressed(l, opening * l.dt - gap), was_linear = was > 0.0 ? was : 0.0; // a step ago
       const double of_damping = (on ? stiffness * linear - pressed : 0.0) + (stiffness * was_linear - was_pressed);
-      s.damped[k] += 0.5 * of_damping * p.opening[i] * l.dt;
+      s.damped[k] += 0.5 * of_damping * opening * l.dt;
       s.rubbed[k] += on ? (slips ? by_slip : by_dashpot) : 0.0;
       const double along = nx * l.direction.x + ny * l.direction.y + nz * l.direction.z;
       s.stiffness[k] += on ? stiffness * along * along : 0.0;
@@ -253,21 +215,16 @@ void rub_groups(NodeLanes& __restrict nodes, const ContactLanes& c, const Contac
     }
   }
   sums = s;
+  return number;
 }
 
+namespace {
+double sum(const double* v) { return ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7])); }
 } // namespace
 
-ContactSums rub(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-                const GapLanes& gaps, const PushLanes& p)
+ContactSums total(const PressLanes& s)
 {
-  SideBySide s;
-  rub_groups(nodes, c, law, groups, count, gaps, p, s);
-  for (int number = 0; number < count; ++number) c.touching[groups[number]] = gaps.touch[groups[number]] != 0 ? 1 : 0;
-  return {{total(s.fx), total(s.fy), total(s.fz)},
-          total(s.elastic),
-          total(s.damped),
-          total(s.rubbed),
-          total(s.stiffness),
+  return {{sum(s.fx), sum(s.fy), sum(s.fz)}, sum(s.elastic), sum(s.damped), sum(s.rubbed), sum(s.stiffness),
           *std::max_element(s.depth, s.depth + group)};
 }
 

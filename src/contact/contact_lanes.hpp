@@ -54,34 +54,27 @@ int look(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shift, int c
 /// How far each of a block's nodes may move at least before one is out of its plane's reach, or ball's [m].
 double least_room(const NodeLanes& nodes, const ContactLanes& c, const Vec3& shift, int count);
 
-/// Gaps of a block's nodes, where a group of them was measured, and how many of the group touch.
+/// Gaps of a block's nodes, where a group of them was measured.
 struct GapLanes {
   alignas(64) NodeLanes::Lanes gap; ///< [m]
-  std::int64_t touch[NodeLanes::size / NodeLanes::group]; // NOLINT(modernize-avoid-c-arrays)
+  double least[NodeLanes::size / NodeLanes::group]; ///< of each group [m] // NOLINT(modernize-avoid-c-arrays)
 };
-/// Measures the gaps of `groups`, `count` of them; returns how many nodes are so deep that they may be behind their plane.
-int measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count, GapLanes& gaps);
+/// Measures the gaps of `groups`, `count` of them; returns whether nodes are so deep that they may be behind their plane.
+bool measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count, GapLanes& gaps);
 
-/// What press hands over to rub.
-struct PushLanes {
-  using Lanes = NodeLanes::Lanes;
-  alignas(64) Lanes rx, ry, rz; ///< tangential stretch at which the node would stick [m]
-  alignas(64) Lanes tx, ty, tz; ///< tangential movement of the step [m]
-  alignas(64) Lanes hx, hy, hz; ///< what would hold it there [N]
-  alignas(64) Lanes pressed, opening;
-  alignas(64) Lanes stretch_squared, size_squared; ///< |r|^2, |h|^2
-  alignas(64) Lanes slips; ///< 1 where the spring alone passes the cone, else 0
+/// Sums over a block of what it is pressed by, side by side for each place in a group.
+struct PressLanes {
+  using Lanes = double[NodeLanes::group]; // NOLINT(modernize-avoid-c-arrays)
+  alignas(64) Lanes fx{}, fy{}, fz{}, elastic{}, damped{}, rubbed{}, stiffness{}, depth{};
 };
+ContactSums total(const PressLanes& sums);
 
-/// Measures likewise; normal force of a spring, softer at first touch (Contact), and damping, never
-/// pulling; the tangential one as if the node stuck.
-int press(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count, GapLanes& gaps,
-          PushLanes& p);
-
+/// Measures likewise, and presses: the normal force of a spring, softer at first touch (Contact), and damping, never pulling;
 /// Coulomb friction by stick-slip return mapping: a step's tangential movement stretches the spring k_t = `stick_ratio` k and lets
 /// it slip back to the cone of `friction`; the dashpot beside it acts while the node sticks. Nodes off the tool are without force.
-/// `groups` that were pressed.
-ContactSums rub(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
-                const GapLanes& gaps, const PushLanes& p);
+/// Of `groups` those from number `from` on, as far as it returns: a group with nodes that are so deep that they may be behind
+/// their plane waits until they have been `searched` for, when it is the first.
+int press(NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int from, int count,
+          bool searched, GapLanes& gaps, PressLanes& sums);
 
 } // namespace towform

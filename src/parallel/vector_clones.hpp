@@ -23,3 +23,10 @@
 #else
 #define TOWFORM_UNROLLED
 #endif
+
+/// Before a loop as long as a vector, which the compiler would take apart before it vectorises.
+#if defined(__GNUC__) && !defined(__clang__)
+#define TOWFORM_WHOLE _Pragma("GCC ivdep") _Pragma("GCC unroll 1")
+#else
+#define TOWFORM_WHOLE
+#endif
