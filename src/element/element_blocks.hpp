@@ -9,8 +9,8 @@
 namespace towform {
 
 /// The elements of a blank in blocks that one thread computes at a time, from a cache's worth of data: a run of
-/// consecutive elements ("own"), the strips of yarn that begin among them, and, where such a strip goes on
-/// beyond the run, its elements there ("guests", whose yarns alone are of interest). Forces are
+/// consecutive elements ("own"), the strips of yarn that have most of their elements among them, and, where such a strip
+/// goes on beyond the run, its elements there ("guests", whose yarns alone are of interest). Forces are
 /// summed by block (BlockSlots).
 struct ElementBlocks {
   static constexpr int own_most = 900; ///< elements of a block
@@ -38,7 +38,7 @@ struct ElementBlocks {
 
   ElementBlocks() = default;
   /// Blocks end where `tiles` do (first elements, ascending), and within them where they must. `shape` of each element
-  /// (element_shapes). Strips must be in the order of their first entries; those of a block are then sorted by length. Throws
+  /// (element_shapes). Strips come into the order of their blocks. Throws
   /// std::length_error when a single element's strips have more elements than a block has places.
   ElementBlocks(std::span<const Triangle> triangles, std::span<const int> shape, std::size_t nodes, std::span<const int> tiles,
                 YarnStrips& strips);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace towform {
 
@@ -187,26 +188,21 @@ void YarnStrips::find_entries()
   for (std::size_t i = 0; i < of.size(); ++i) entry[static_cast<std::size_t>(next[of[i]]++)] = static_cast<YarnEntry>(i);
 }
 
-void YarnStrips::sort_by_length(int begin, int count)
+void YarnStrips::reorder(std::span<const int> order)
 {
-  struct Strip {
-    std::vector<YarnEntry> entries;
-    double area;
-  };
-  std::vector<Strip> sorted;
-  for (int i = begin; i < begin + count; ++i) {
-    const std::span<const YarnEntry> its = entries_of(static_cast<std::size_t>(i));
-    sorted.push_back({{its.begin(), its.end()}, area[i]});
+  YarnStrips its;
+  its.of.resize(of.size());
+  its.entry.reserve(entry.size());
+  its.first.push_back(0);
+  for (const int strip : order) {
+    for (const YarnEntry of_strip : entries_of(static_cast<std::size_t>(strip))) {
+      its.of[of_strip] = static_cast<int>(its.area.size());
+      its.entry.push_back(of_strip);
+    }
+    its.area.push_back(area[strip]);
+    its.first.push_back(static_cast<int>(its.entry.size()));
   }
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const Strip& a, const Strip& b) { return a.entries.size() < b.entries.size(); });
-  for (int i = begin; const Strip& strip : sorted) {
-    std::copy(strip.entries.begin(), strip.entries.end(), entry.begin() + first[i]);
-    for (const YarnEntry its : strip.entries) of[its] = i;
-    area[i] = strip.area;
-    first[i + 1] = first[i] + static_cast<int>(strip.entries.size());
-    ++i;
-  }
+  *this = std::move(its);
 }
 
 bool follows_yarns(const Blank& blank)

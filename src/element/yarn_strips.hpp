@@ -36,9 +36,8 @@ struct YarnStrips {
   }
   /// Makes `entry` from `of`.
   void find_entries();
-  /// Puts `count` strips from `begin` on into the order of their lengths: loops over their entries then end as the
-  /// processor expects.
-  void sort_by_length(int begin, int count);
+  /// Puts the strips into another order: first comes number order[0].
+  void reorder(std::span<const int> order);
 };
 
 /// Whether every triangle has an edge along the warp and one along the weft.
