@@ -109,7 +109,7 @@ std::vector<Row> all_rows()
     {"material.yarn_damping", AT(c.material.yarn_damping), D::none, "0.05", "0 .. 1", "along the yarns, fraction of critical"},
     {"material.yarn_strain", words(AT(c.material.yarn_strain), {"auto", "strip", "triangle"}), D::none, "auto", "", "that yarns answer to: the mean over a strip of yarn, or a triangle's own, which locks where the mesh does not follow the yarns; auto looks whether it does"},
     {"material.strip_stiffness", AT(c.material.strip_stiffness), D::none, "50", "1 .. 10000", "spring that holds a triangle's yarn strain to its strip's, over the sheet's shear force at 45 degrees and 1 rad over time.end"},
-    {"material.relaxation_ratio", AT(c.material.relaxation_ratio), D::none, "0.1", "1e-4 .. 1", "shear modulus of the viscous law over the yarn stiffness"},
+    {"material.relaxation_ratio", AT(c.material.relaxation_ratio), D::none, "0.1", "1e-4 .. 1", "shear modulus of the viscous law over the yarn stiffness; a smaller one allows longer steps, and more of the shear is elastic"},
     {"material.bending_stiffness", AT(c.material.bending_stiffness), D::bending_stiffness, optional, "> 0", "moment per width over the curvature of a yarn; one for both families or [warp, weft]; without it or a table the sheet does not resist bending"},
     {"material.bending_table", AT(c.material.bending_table), D::force, optional, "> 0", "[[curvature, moment per width], …] of both families in place of bending_stiffness, curvatures rising; straight from (0, 0) through the points and on, odd, without hysteresis"},
     {"material.bending_damping", AT(c.material.bending_damping), D::none, "0.05", "0 .. 1", "of bending, fraction of critical for its fastest waves", "", false, bending},

@@ -10,9 +10,10 @@ using YarnEntry = int;
 
 /// Strips of yarn over each of which the strain is taken as one: long along the yarn, where tension changes
 /// slowly, and narrow across it, where neighbouring yarns slide freely past each other. A strip has
-/// `strip_length` by `strip_width` of an element's edge, that is five or six triangles, laid out on the flat
-/// blank in rows along the yarns from the middle of the blank, every other row shifted by half a length. The
-/// displacements of the nodes are then about three times as many as the constraints that stiff yarns put on
+/// `strip_length` by `strip_width` of an element's edge, that is some nine triangles, laid out on the flat
+/// blank in rows along the yarns from the middle of the blank, every other row shifted by half a length. The longer
+/// they are, the longer are stable steps; up to seven edges nothing is lost (docs/benchmarks.md). The
+/// displacements of the nodes are then more than four times as many as the constraints that stiff yarns put on
 /// them, and each row transports a motion along the yarn as it is, so that little locks whatever the mesh:
 /// what is left falls with the edge (measured: docs/verification.md). Borders between zones of different
 /// shear, which follow the yarns, blur over less than an edge.
@@ -21,7 +22,7 @@ using YarnEntry = int;
 /// that reaches over the mirror plane holds the entries that stand for its other part, which are of the other
 /// family when yarns lie at 45 degrees to the plane.
 struct YarnStrips {
-  static constexpr double strip_length = 4.0, strip_width = 0.7;
+  static constexpr double strip_length = 6.5, strip_width = 0.7;
   static constexpr int fewest_entries = 3; ///< a strip of fewer elements joins its neighbour along the yarn
 
   std::vector<int> first;       ///< s + 1

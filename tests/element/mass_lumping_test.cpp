@@ -42,7 +42,7 @@ TEST(MassLumping, KeepsTheSheetsMassAndThatOfItsParts)
 {
   for (const Pattern pattern : {Pattern::diagonal, Pattern::cross, Pattern::unstructured})
     for (const double degrees : {0.0, 30.0, 45.0}) {
-      const Blank blank = blank_of(pattern, degrees);
+      const Blank blank = blank_of(pattern, degrees, Symmetry::none, 5000);
       const Membrane membrane = membrane_of(blank);
       const std::vector<double> factors = lumping_factors(blank, membrane, share);
       EXPECT_GE(*std::min_element(factors.begin(), factors.end()), 1.0 - share);
@@ -54,10 +54,10 @@ TEST(MassLumping, KeepsTheSheetsMassAndThatOfItsParts)
       }
       EXPECT_NEAR(whole, 0.1 * 0.08, 1e-12);
       EXPECT_LT(norm(moment) / whole, 2e-4) << static_cast<int>(pattern) << ", " << degrees; // its centre [m]
-      // A disc ten elements wide, away from the edges, which take some hundredths from everywhere.
+      // A disc twenty elements wide, away from the edges, which take some hundredths from everywhere.
       double thirds = 0.0, here = 0.0;
       for (std::size_t n = 0; n < factors.size(); ++n)
-        if (norm(blank.mesh.points[n] - Vec3{0.01, 0.005, 0.0}) < 0.014) {
+        if (norm(blank.mesh.points[n] - Vec3{0.01, 0.005, 0.0}) < 0.019) {
           thirds += membrane.node_area[n];
           here += membrane.node_area[n] * factors[n];
         }

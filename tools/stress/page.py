@@ -41,7 +41,7 @@ TAIL = """
   step is so long that the punch is inside the sheet before it meets resistance.
 - **What a stiff or sticky sheet presses into the die's radius** ends most of the runs that give up: penetration passes its gate, at the fineness used
   here. A higher penalty or a finer mesh carries them further.
-- **Meshes that cross the yarns** must not keep the scenes' `strip_stiffness = 1500`: degrees of shear are lost, and the run now says so. With the
+- **Meshes that cross the yarns** must not keep the scenes' `strip_stiffness = 1000`: degrees of shear are lost, and the run now says so. With the
   default, nodes may be a fifth of an edge off. Flat elements cost accuracy and steps; with `time.step` they cost mass.
 - **Pinched hard**, in a case of its own (a strip drawn out between two plates under 20 N, friction 0.25), friction is within 0.1 % of exact for
   penalties of 0.05 to 0.5, contact damping of 0.1 to 1 and edges of 2.5 and 5 mm. That is the work of `tool.damping`: without it the plate trembles
