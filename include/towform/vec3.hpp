@@ -42,7 +42,12 @@ constexpr Vec3 cross(const Vec3& a, const Vec3& b)
 }
 constexpr double norm_squared(const Vec3& a) { return dot(a, a); }
 inline double norm(const Vec3& a) { return std::sqrt(dot(a, a)); }
-inline Vec3 normalized(const Vec3& a) { return (1.0 / norm(a)) * a; }
+/// By division: along an axis it is the axis, to the last bit.
+inline Vec3 normalized(const Vec3& a)
+{
+  const double size = norm(a);
+  return {a.x / size, a.y / size, a.z / size};
+}
 inline bool is_finite(const Vec3& a)
 {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);

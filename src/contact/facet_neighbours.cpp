@@ -1,4 +1,5 @@
 #include "contact/facet_neighbours.hpp"
+#include "contact/level.hpp"
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,6 +20,13 @@ bool beyond_an_edge(const Facet& other, const Facet& f, double radius)
                     [&](const Vec3& c) { return dot(f.inward[k], c - f.corner[k]) < -radius; }))
       return true;
   return false;
+}
+
+/// Whether p is above or below a facet, not beside it.
+bool is_above(const Vec3& p, const Facet& f)
+{
+  return dot(f.inward[0], p - f.corner[0]) >= 0.0 && dot(f.inward[1], p - f.corner[1]) >= 0.0 &&
+         dot(f.inward[2], p - f.corner[2]) >= 0.0;
 }
 
 bool within(const Facet& f, const Facet& other, double radius)
@@ -83,16 +91,17 @@ bool FacetNeighbours::competes(const Facet& other, const Facet& f, std::span<con
   return !before && !behind;
 }
 
-/// A facet's competitors for who is above it, no higher than `highest`, out of `some` that are near.
-FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double highest, std::span<const Vec3> level,
+/// A facet's competitors for who is above `space`, it and what is `level` with it, no higher than `highest`, out of `some` that are
+/// near.
+FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double highest, double level, std::span<const Vec3> space,
                                                           std::span<const int> some) const
 {
   const Facet& f = surface_.tree().facet(number);
-  Competitors list{{}, highest};
+  Competitors list{{}, highest, level};
   for (const int near : some) {
     const Facet& other = surface_.tree().facet(near);
-    if (!competes(other, f, level, highest)) continue;
-    bool beside = beyond_an_edge(other, f, highest);
+    if (!competes(other, f, space, highest)) continue;
+    bool beside = beyond_an_edge(other, f, highest + level);
     for (int k = 0; k < 3 && beside; ++k)
       if (surface_.goes_on(number, k)) beside = beyond_an_edge(other, surface_.tree().facet(surface_.across(number, k)), highest);
     if (beside) continue;
@@ -102,27 +111,35 @@ FacetNeighbours::Competitors FacetNeighbours::competitors(int number, double hig
   return list;
 }
 
-/// Lists serve as high as the facet is long where that brings no competitors: above a level part of a tool.
+/// Lists serve as high as the facet is long, or as far as it is level, where that brings no competitors: above a level part of
+/// a tool.
 void FacetNeighbours::fill(int number, Competitors& list) const
 {
+  constexpr double most_level = 6e-3; // [m]; the farther, the longer takes the list
   static thread_local std::vector<int> near;
-  static thread_local std::vector<Vec3> level, space;
+  static thread_local std::vector<Vec3> base, space;
   const Facet& f = surface_.tree().facet(number);
-  find_level(number, level);
+  const double level = level_room(surface_, number, most_level);
+  find_level(number, base);
+  if (level > 0.0) {
+    const Vec3 along = level * normalized(f.edge(0)), across = level * f.inward[0];
+    for (const Vec3& corner : f.corner)
+      for (const Vec3& side : {along + across, along - across, across - along, -along - across}) base.push_back(corner + side);
+  }
   const auto look = [&](double highest) {
-    space = level;
-    for (const Vec3& corner : level) space.push_back(corner + highest * f.normal);
+    space = base;
+    for (const Vec3& corner : base) space.push_back(corner + highest * f.normal);
     surface_.tree().find_in_front(f, space, highest, near);
   };
   look(highest_);
-  list = competitors(number, highest_, level, near);
-  const double length = std::max({norm(f.edge(0)), norm(f.edge(1)), norm(f.edge(2))});
+  list = competitors(number, highest_, level, base, near);
+  const double length = std::max({norm(f.edge(0)), norm(f.edge(1)), norm(f.edge(2)), level});
   double most = highest_;
   while (2.0 * most <= length) most *= 2.0;
   if (list.facets.empty() && most > highest_) {
     look(most);
     for (double highest = 2.0 * highest_; highest <= most; highest *= 2.0) {
-      Competitors higher = competitors(number, highest, level, near);
+      Competitors higher = competitors(number, highest, level, base, near);
       if (!higher.facets.empty()) break;
       list = std::move(higher);
     }
@@ -195,7 +212,12 @@ bool FacetNeighbours::reach_above(const Vec3& p, int facet, double height, Limit
   see_margin(p, facet, limits);
   if (!(limits.nearest.room > doubt)) return false;
   const Competitors& list = of(facet, competitors_);
-  const Vec3& normal = surface_.tree().facet(facet).normal;
+  const Facet& f = surface_.tree().facet(facet);
+  const Vec3& normal = f.normal;
+  if (list.level > limits.nearest.room && is_above(p, f)) {
+    limits.clear();
+    limits.see(list.level, {});
+  }
   limits.see(list.highest - height, -normal);
   if (!(limits.nearest.room > doubt)) return false;
   for (const Neighbour& n : list.facets) {
@@ -215,10 +237,12 @@ bool FacetNeighbours::reach_above(const Vec3& p, int facet, double height, Limit
 }
 
 /// Who has just come over an edge is near it, and would soon be looked for again: a ball that has him inside, but its middle
-/// farther from there, reaches farther. It goes as far from the nearest limit as from the next.
+/// farther from there, reaches farther. It goes as far from the nearest limit as from the next. Where the plane ends on a level
+/// part has no direction.
 void FacetNeighbours::widen(const Vec3& p, double height, const Limits& limits, Nearest& found) const
 {
   const auto& [least, away] = limits.nearest;
+  if (norm_squared(away) == 0.0) return;
   const Facet& f = surface_.tree().facet(found.point.facet);
   double step = 2.0 * radius_;
   if (const double sinking = -dot(f.normal, away); sinking > 0.0) step = std::min(step, 0.9 * height / sinking);

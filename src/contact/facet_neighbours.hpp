@@ -57,6 +57,7 @@ private:
   struct Competitors {
     std::vector<Neighbour> facets;
     double highest = 0.0; ///< [m]
+    double level = 0.0;   ///< how far round the facet, too: its plane goes on there (level_room) [m]
   };
   /// How far one may move before something, and which way it recedes.
   struct Limit {
@@ -69,6 +70,11 @@ private:
     std::array<Limit, 32> seen;
     std::size_t count = 0;
 
+    void clear()
+    {
+      count = 0;
+      nearest = {HUGE_VAL, {}};
+    }
     void see(double room, const Vec3& away)
     {
       if (count < seen.size()) seen[count++] = {room, away};
@@ -82,7 +88,7 @@ private:
   const List& of(int facet, Lists<List>& lists) const;
   void find_level(int facet, std::vector<Vec3>& corners) const;
   [[nodiscard]] static bool competes(const Facet& other, const Facet& f, std::span<const Vec3> level, double highest);
-  [[nodiscard]] Competitors competitors(int facet, double highest, std::span<const Vec3> level, std::span<const int> some) const;
+  [[nodiscard]] Competitors competitors(int facet, double highest, double level, std::span<const Vec3> space, std::span<const int> some) const;
   void fill(int facet, Competitors& list) const;
   void fill(int facet, All& list) const;
   [[nodiscard]] int walk(const Vec3& p, int from) const;
