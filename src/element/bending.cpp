@@ -145,9 +145,10 @@ struct BendingWork {
     force.join(op, block);
     const bool in_lanes = block.runs > 0;
     const std::uint16_t* lane = op.lane.data() + block.points.first;
+    const BlockSlots::Targets targets = op.slots.targets(block.points, of_all, block_force);
     for (int i = 0; i < block.points.count; ++i) {
       const Vec3 sum = in_lanes ? force.lanes.at(lane[i]) : force.singles[i].vec3();
-      Vec3& to = op.slots.target(block.points, i, of_all, block_force);
+      Vec3& to = targets[i];
       to = op.slots.reaches_alone(block.points, i) ? to + sum : sum;
     }
   }

@@ -32,12 +32,24 @@ public:
   /// Which of a block's slots a point has, counted within the block.
   [[nodiscard]] std::uint16_t local(const Range& block, int point) const;
 
-  /// Where the force of a slot (counted within the block) goes: its point's own, or a place.
-  [[nodiscard]] Vec3& target(const Range& block, int slot, std::span<Vec3> of_point, std::span<Vec3> place) const
+  /// Where the forces of a block's slots (counted within the block) go.
+  class Targets {
+  public:
+    Targets(const int* target, std::span<Vec3> of_point, std::span<Vec3> place) : target_(target), bases_{of_point.data(), place.data()} {}
+    /// A point's own, or a place; without a branch, which would often be mispredicted.
+    [[nodiscard]] Vec3& operator[](int slot) const
+    {
+      const int to = target_[slot];
+      return bases_[to < 0 ? 1 : 0][to < 0 ? ~to : to];
+    }
+
+  private:
+    const int* target_;
+    std::array<Vec3*, 2> bases_;
+  };
+  [[nodiscard]] Targets targets(const Range& block, std::span<Vec3> of_point, std::span<Vec3> place) const
   {
-    const int to = target_[block.first + slot];
-    const std::array bases{of_point.data(), place.data()}; // without a branch, which would often be mispredicted
-    return bases[to < 0 ? 1 : 0][to < 0 ? ~to : to];
+    return {target_.data() + block.first, of_point, place};
   }
   [[nodiscard]] bool reaches_alone(const Range& block, int slot) const { return target_[block.first + slot] >= 0; }
   /// Points whose forces are sums, ascending.

@@ -21,8 +21,9 @@ struct Workplace {
   /// Hands a block's forces on, to `of_all` where they are a node's only ones.
   void give(const BlockSlots& slots, const BlockSlots::Range& nodes, std::span<Vec3> block_force, std::span<Vec3> of_all)
   {
+    const BlockSlots::Targets targets = slots.targets(nodes, of_all, block_force);
     for (int i = 0; i < nodes.count; ++i) {
-      slots.target(nodes, i, of_all, block_force) = force[i].vec3();
+      targets[i] = force[i].vec3();
       force[i] = {};
     }
   }
