@@ -11,9 +11,10 @@ using YarnEntry = int;
 /// Strips of yarn over each of which the strain is taken as one: long along the yarn, where tension changes
 /// slowly, and narrow across it, where neighbouring yarns slide freely past each other. A strip has
 /// `strip_length` by `strip_width` of an element's edge, that is some nine triangles, laid out on the flat
-/// blank in rows along the yarns from the middle of the blank, every other row shifted by half a length. The longer
-/// they are, the longer are stable steps; up to seven edges nothing is lost (docs/benchmarks.md). The
-/// displacements of the nodes are then more than four times as many as the constraints that stiff yarns put on
+/// blank in rows along the yarns from the middle of the blank, every other row shifted by half a length. The
+/// longer they are, the longer are stable steps: strips of four edges left a double dome of 25,600 elements
+/// 0.308 degrees RMS from the finest mesh, these leave it 0.307 with steps longer by a tenth. The
+/// displacements of the nodes are more than four times as many as the constraints that stiff yarns put on
 /// them, and each row transports a motion along the yarn as it is, so that little locks whatever the mesh:
 /// what is left falls with the edge (measured: docs/verification.md). Borders between zones of different
 /// shear, which follow the yarns, blur over less than an edge.

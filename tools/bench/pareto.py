@@ -25,8 +25,13 @@ QUIET = ("gates.kinetic_to_internal=1e9", "gates.penetration=1 mm", "gates.energ
          "output.frames=1")
 
 
-def settings(case, elements, mass=1, speed=1, law="viscous", curves=None, bending=True):
+SPRINGS = (("relaxation_ratio", 0.1), ("relaxation_ratio", 0.01), ("strip_stiffness", 3000), ("strip_stiffness", 300))
+
+
+def settings(case, elements, mass=1, speed=1, law="viscous", curves=None, bending=True, spring=None):
     more = ((BENDING,) if bending else ()) + (() if curves is None else (f"material.curve_selection={curves}",))
+    if spring is not None:
+        more += ("material.{}={}".format(*spring),)
     return ("blank.symmetry=quarter", f"blank.elements={elements}", f"time.mass_scaling={mass}",
             f"time.end={CASES[case] / speed} ms", f"material.law={law}", *more, *QUIET)
 
@@ -41,6 +46,8 @@ def variants():
     for law, curves in (("elastic", None), ("incremental", "next_higher"), ("incremental", "interpolate")):
         name = law if curves is None else f"{law}, {curves}"
         found[f"12800 elements, law {name}"] = dict(elements=12800, law=law, curves=curves)
+    for key, value in SPRINGS:
+        found[f"12800 elements, {key} = {value}"] = dict(elements=12800, spring=(key, value))
     return found
 
 
