@@ -36,7 +36,8 @@ bool is_shifted(int row) { return (row >= 0 ? row : -1 - row) % 2 == 1; }
 /// The lattice of strips on the flat blank.
 class Lattice {
 public:
-  Lattice(const Blank& blank, double edge) : edge_(edge)
+  Lattice(const Blank& blank, double edge)
+      : edge_(edge), length_(follows_yarns(blank) ? YarnStrips::aligned_length : YarnStrips::strip_length)
   {
     const Vec3 normal{0.0, 0.0, 1.0};
     along_[0] = blank.warp;
@@ -76,7 +77,7 @@ private:
   {
     const double edge = std::ldexp(edge_, level);
     const int row = interval(dot(point, across_[family]) / (YarnStrips::strip_width * edge));
-    const double along = dot(point, along_[family]) / (YarnStrips::strip_length * edge);
+    const double along = dot(point, along_[family]) / (length_ * edge);
     return {level, family, row, is_shifted(row) ? centred_interval(along) : interval(along)};
   }
 
@@ -95,7 +96,7 @@ private:
     return here(reflected(point, mirror), exchanged(family, mirror), level);
   }
 
-  double edge_;
+  double edge_, length_; // the length in edges
   Vec3 along_[2], across_[2];
   std::vector<Vec3> mirrors_;
 };

@@ -10,20 +10,23 @@ using YarnEntry = int;
 
 /// Strips of yarn over each of which the strain is taken as one: long along the yarn, where tension changes
 /// slowly, and narrow across it, where neighbouring yarns slide freely past each other. A strip has
-/// `strip_length` by `strip_width` of an element's edge, that is some nine triangles, laid out on the flat
+/// `strip_length` by `strip_width` of an element's edge, that is five or six triangles, laid out on the flat
 /// blank in rows along the yarns from the middle of the blank, every other row shifted by half a length. The
-/// longer they are, the longer are stable steps: strips of four edges left a double dome of 25,600 elements
-/// 0.308 degrees RMS from the finest mesh, these leave it 0.307 with steps longer by a tenth. The
-/// displacements of the nodes are more than four times as many as the constraints that stiff yarns put on
+/// displacements of the nodes are then about three times as many as the constraints that stiff yarns put on
 /// them, and each row transports a motion along the yarn as it is, so that little locks whatever the mesh:
 /// what is left falls with the edge (measured: docs/verification.md). Borders between zones of different
 /// shear, which follow the yarns, blur over less than an edge.
+///
+/// The longer strips are, the longer are stable steps. On meshes that follow the yarns they have `aligned_length`: a
+/// double dome of 25,600 elements was 0.308 degrees RMS from the finest mesh with four edges and is 0.307 from it with
+/// these, in steps longer by a tenth. On others, longer strips lose shear (hemisphere of 1,600 elements whose nodes are a fifth
+/// of an edge off: 1.2 degrees RMS from the mesh as it was with four edges, 1.4 with these).
 ///
 /// Where triangles differ in size, strips follow them by factors of two. In a half or quarter model a strip
 /// that reaches over the mirror plane holds the entries that stand for its other part, which are of the other
 /// family when yarns lie at 45 degrees to the plane.
 struct YarnStrips {
-  static constexpr double strip_length = 6.5, strip_width = 0.7;
+  static constexpr double strip_length = 4.0, aligned_length = 6.5, strip_width = 0.7;
   static constexpr int fewest_entries = 3; ///< a strip of fewer elements joins its neighbour along the yarn
 
   std::vector<int> first;       ///< s + 1

@@ -58,10 +58,19 @@ TEST(YarnStrips, AreLongAlongTheYarnAndNarrowAcross)
                 2.0 * YarnStrips::strip_length * edge); // of two that were joined
     }
   }
-  // About nine triangles in each: a fifth of the constraints that the nodes could take.
+  // About five or six triangles in each: a third of the constraints that the nodes could take.
   const double mean = 2.0 * static_cast<double>(area.size()) / static_cast<double>(strips.size());
-  EXPECT_GT(mean, 7.5);
-  EXPECT_LT(mean, 11.0);
+  EXPECT_GT(mean, 4.5);
+  EXPECT_LT(mean, 7.0);
+}
+
+TEST(YarnStrips, AreLongerWhereTheMeshFollowsTheYarns)
+{
+  const auto triangles = [](double mesh_angle) {
+    const Blank blank = test::blank(Pattern::diagonal, 0.0, mesh_angle, 4000);
+    return 2.0 * static_cast<double>(blank.mesh.triangles.size()) / static_cast<double>(lay_strips(blank, areas(blank)).size());
+  };
+  EXPECT_NEAR(triangles(0.0) / triangles(10.0 * degree), YarnStrips::aligned_length / YarnStrips::strip_length, 0.15);
 }
 
 TEST(YarnStrips, AreNotNeededWhereTheMeshFollowsTheYarns)

@@ -23,7 +23,7 @@ inline Case specimen(Vec2 size, double edge, double end)
   c.material.curve_rate_max = 1.0;
   c.material.curve_count = 2;
   c.material.fibre_modulus = 1e9;
-  c.material.strip_stiffness = 70.0;
+  c.material.strip_stiffness = 50.0;
   c.material.compression_factor = 0.1;
   c.material.yarn_damping = 0.05;
   c.material.relaxation_ratio = 1.0;
