@@ -2,6 +2,7 @@
 #include "towform/error.hpp"
 #include <cmath>
 #include <fmt/format.h>
+#include <variant>
 
 namespace towform {
 
@@ -38,6 +39,14 @@ std::string way_out(const DeepestContact& deepest, double limit)
 
 /// Fractions of the run before which ratios of small energies say nothing.
 constexpr double energy_from = 0.25, kinetic_from = 0.5;
+
+/// Whether the viscous law's spring is softer than by default, which lets steps be longer.
+bool has_soft_spring(const Model& model)
+{
+  constexpr double by_default = 0.1; // of the yarns' stiffness
+  const auto* law = std::get_if<ViscousLaw>(&model.material.law);
+  return law != nullptr && law->modulus < 0.999 * by_default * model.membrane.yarn.stiffness;
+}
 
 } // namespace
 
@@ -80,8 +89,9 @@ void check_gates(const GateParameters& gates, const Model& model, const System& 
     stop(ExitCode::stability_gate, s,
          fmt::format("the energy account is off by {:.2f} % of the external work, limit gates.energy_error = "
                      "{:.2f} %; "
-                     "{}lower contact.penalty, which stiffens impacts, or time.safety",
+                     "{}{}lower contact.penalty, which stiffens impacts, or time.safety",
                      100.0 * energies.error(), 100.0 * gates.energy_error,
+                     has_soft_spring(model) ? "leave out material.relaxation_ratio, or " : "",
                      model.lumped ? "go without time.lumping, or " : ""));
   if (fraction >= kinetic_from && !(kinetic_ratio <= gates.kinetic_to_internal))
     stop(

@@ -43,6 +43,9 @@ TAIL = """
   here. A higher penalty or a finer mesh carries them further.
 - **Meshes that cross the yarns** must not keep the scenes' `strip_stiffness = 1000`: degrees of shear are lost, and the run now says so. With the
   default, nodes may be a fifth of an edge off. Flat elements cost accuracy and steps; with `time.step` they cost mass.
+- **A sheet that hangs loose** (the tilted blanks, until holder and punch have it) must not keep the scenes' `relaxation_ratio = 0.03`: it
+  crumples in longer steps, and the energy account is off by some per cent of the little work done on it. The run stops and says so; with the
+  default it stands.
 - **Pinched hard**, in a case of its own (a strip drawn out between two plates under 20 N, friction 0.25), friction is within 0.1 % of exact for
   penalties of 0.05 to 0.5, contact damping of 0.1 to 1 and edges of 2.5 and 5 mm. That is the work of `tool.damping`: without it the plate trembles
   on its springs for the whole run, and the sheet slips while it is off, 12 % too little friction and, with `contact.penalty = 0.5` and
