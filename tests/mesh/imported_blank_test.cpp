@@ -208,7 +208,7 @@ TEST_F(ImportedFile, YarnsGoTheGivenWays)
   p.fibre_1 = Vec3{3, 4, 0};
   p.fibre_2 = Vec3{-5, 0, 0};
   const Blank blank = make_blank(p);
-  EXPECT_EQ(blank.warp, (Vec3{3 * (1.0 / 5.0), 4 * (1.0 / 5.0), 0}));
+  EXPECT_EQ(blank.warp, (Vec3{3.0 / 5.0, 4.0 / 5.0, 0}));
   EXPECT_EQ(blank.weft, (Vec3{-1, 0, 0}));
   p.symmetry = Symmetry::quarter;
   EXPECT_NE(
