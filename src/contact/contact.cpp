@@ -165,7 +165,7 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
   PressLanes sums;
   int done = press(nodes, lanes, m.law, pressed.begin(), 0, pressed.count, false, gaps, sums);
   while (done < pressed.count) {
-    search_for_deep(*(pressed.begin() + done));
+    search_for_deep(pressed.number[static_cast<std::size_t>(done)]);
     done = press(nodes, lanes, m.law, pressed.begin(), done, pressed.count, true, gaps, sums);
   }
   return total(sums);

@@ -92,28 +92,34 @@ inline double least(const double* v)
   for (int k = 0; k < 4; ++k) four[k] = of_two(v[k], v[k + 4]);
   return of_two(of_two(four[0], four[2]), of_two(four[1], four[3]));
 }
+
+/// Measures group g; returns the least of its gaps.
+inline double measure_group(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& l, int g, GapLanes& __restrict gaps)
+{
+  const double* __restrict normal_x = c.normal_x;
+  const double* __restrict normal_y = c.normal_y;
+  const double* __restrict normal_z = c.normal_z;
+  const double* __restrict offset = c.offset;
+  const int first = g * group;
+  TOWFORM_WHOLE
+  for (int k = 0; k < group; ++k) {
+    const int i = first + k;
+    const double px = nodes.x[i] - l.shift.x, py = nodes.y[i] - l.shift.y, pz = nodes.z[i] - l.shift.z;
+    gaps.gap[i] = (normal_x[i] * px + normal_y[i] * py + normal_z[i] * pz - offset[i]) - l.half_thickness;
+  }
+  return gaps.least[g] = least(gaps.gap + first);
+}
+
 } // namespace
 
 TOWFORM_VECTOR_CLONES
 bool measure(const NodeLanes& nodes, const ContactLanes& c, const ContactLaw& law, const std::uint8_t* groups, int count,
              GapLanes& __restrict gaps)
 {
-  const double* __restrict normal_x = c.normal_x;
-  const double* __restrict normal_y = c.normal_y;
-  const double* __restrict normal_z = c.normal_z;
-  const double* __restrict offset = c.offset;
-  const double shift_x = law.shift.x, shift_y = law.shift.y, shift_z = law.shift.z, half = law.half_thickness;
+  const ContactLaw l = law;
   bool deep = false;
-  for (int number = 0; number < count; ++number) {
-    const int g = groups[number], first = g * group;
-    TOWFORM_WHOLE
-    for (int i = first; i < first + group; ++i) {
-      const double px = nodes.x[i] - shift_x, py = nodes.y[i] - shift_y, pz = nodes.z[i] - shift_z;
-      gaps.gap[i] = (normal_x[i] * px + normal_y[i] * py + normal_z[i] * pz - offset[i]) - half;
-    }
-    gaps.least[g] = least(gaps.gap + first);
-    deep = deep || gaps.least[g] < -half;
-  }
+  for (int number = 0; number < count; ++number)
+    if (measure_group(nodes, c, l, groups[number], gaps) < -l.half_thickness) deep = true;
   return deep;
 }
 
@@ -139,22 +145,15 @@ int press(NodeLanes& __restrict nodes, const ContactLanes& c, const ContactLaw& 
   double* __restrict stick_y = c.stick_y;
   double* __restrict stick_z = c.stick_z;
   double* __restrict normal_force = c.normal_force;
-  const double* __restrict offset = c.offset;
   std::uint8_t* __restrict touching = c.touching;
   const ContactLaw l = law;
   PressLanes s = sums;
   int number = from;
   for (; number < count; ++number) {
     const int g = groups[number], first = g * group;
-    TOWFORM_WHOLE
-    for (int k = 0; k < group; ++k) {
-      const int i = first + k;
-      const double px = nodes.x[i] - l.shift.x, py = nodes.y[i] - l.shift.y, pz = nodes.z[i] - l.shift.z;
-      gaps.gap[i] = (normal_x[i] * px + normal_y[i] * py + normal_z[i] * pz - offset[i]) - l.half_thickness;
-    }
-    gaps.least[g] = least(gaps.gap + first);
-    if (gaps.least[g] < -l.half_thickness && !(searched && number == from)) break;
-    touching[g] = gaps.least[g] < 0.0 ? 1 : 0;
+    const double least_gap = measure_group(nodes, c, l, g, gaps);
+    if (least_gap < -l.half_thickness && !(searched && number == from)) break;
+    touching[g] = least_gap < 0.0 ? 1 : 0;
     TOWFORM_INDEPENDENT
     for (int k = 0; k < group; ++k) {
       const int i = first + k;

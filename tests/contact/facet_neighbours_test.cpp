@@ -20,12 +20,7 @@ SurfaceMesh tray()
       const double rough = floor ? 4e-4 * std::sin(1.7 * i) * std::cos(2.3 * j) - 4e-3 : 0.0;
       mesh.points.push_back({pitch * i, pitch * j, rough});
     }
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = c - 1;
-      mesh.triangles.push_back({a, b, c});
-      mesh.triangles.push_back({a, c, d});
-    }
+  test::add_squares(mesh, n);
   return mesh;
 }
 
@@ -57,12 +52,7 @@ SurfaceMesh curtains()
   constexpr double pitch = 4e-3;
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i <= n; ++i) mesh.points.push_back({pitch * i, pitch * j, 0.0});
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = c - 1;
-      mesh.triangles.push_back({a, b, c});
-      mesh.triangles.push_back({a, c, d});
-    }
+  test::add_squares(mesh, n);
   for (int i = 0; i < n; ++i) {
     const int a = static_cast<int>(mesh.points.size());
     const double x = pitch * (i + 0.5);

@@ -1,4 +1,5 @@
 #include "contact/level.hpp"
+#include "contact/shapes.hpp"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,12 +20,7 @@ SurfaceMesh plate(double half)
       const double x = pitch * i, y = pitch * j, from_middle = std::max(std::abs(x - 0.5 * side), std::abs(y - 0.5 * side));
       mesh.points.push_back({x, y, from_middle < half ? 1e-3 : 0.0});
     }
-  for (int j = 0; j < squares; ++j)
-    for (int i = 0; i < squares; ++i) {
-      const int a = j * (squares + 1) + i, b = a + 1, c = b + squares + 1, d = c - 1;
-      mesh.triangles.push_back({a, b, c});
-      mesh.triangles.push_back({a, c, d});
-    }
+  test::add_squares(mesh, squares);
   return mesh;
 }
 

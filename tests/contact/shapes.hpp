@@ -4,6 +4,17 @@
 
 namespace towform::test {
 
+/// Two facets for each of n x n squares between points that stand in rows, normals towards +z.
+inline void add_squares(SurfaceMesh& mesh, int n)
+{
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      const int a = j * (n + 1) + i, b = a + 1, c = b + n + 1, d = c - 1;
+      mesh.triangles.push_back({a, b, c});
+      mesh.triangles.push_back({a, c, d});
+    }
+}
+
 /// A closed box, outward normals.
 inline SurfaceMesh box(const Vec3& low, const Vec3& high)
 {

@@ -36,7 +36,7 @@ TAIL = """
 - **The step** stands up to the limit itself: 0.5 to 1.0 of it give the same shear to a few hundredths of a degree. Where a sheet without
   bending folds, tiny differences choose between folds, the more the longer the step. The finer hemisphere of `docs/verification.md` and its
   quarter, each formed four times with thicknesses that differ in the fifteenth digit, and that with two orders of the elements: at most
-  0.06 degrees RMS apart at the default of 0.85 of the limit, up to 0.65 at 0.87, up to 0.8 at 0.9. The penalty matters by penetration alone.
+  0.06 degrees RMS apart at 0.85 of the limit, then the default, up to 0.65 at 0.87, up to 0.8 at 0.9 (an earlier program). The penalty matters by penetration alone.
 - **Mass scaling** is the factor with the least room at 1 m/s: beyond a few times, inertia shapes the answer, which the run says; at 100 the
   step is so long that the punch is inside the sheet before it meets resistance.
 - **What a stiff or sticky sheet presses into the die's radius** ends most of the runs that give up: penetration passes its gate, at the fineness used
