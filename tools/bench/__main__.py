@@ -17,9 +17,8 @@ without set-up and file output, over elements and steps.
 **Speed.** The aim is 20 ns on one thread and 11 on two with everything on, and 3 s for the paper's run. Arithmetic alone would take
 {arithmetic} ns on this machine. Everything on takes {one} ns on one thread and {two} on two in the first millimetres of the press,
 {press_one} and {press_two} over all of it, and the paper's run {wall} s without bending, {wall_bending} s with it, of which set-up and output
-are {beside} s; the report, not counted here, takes a few tenths more. It takes {steps} steps, where the paper took 12,000. Whole runs and errors
-are of the present program, sizes, parts, the busy machine and kernels of the one before, with shorter steps: run in turn that one took 4.8 to
-5.1 s for the paper's run, this one 3.5 to 4.2. Of a step without
+are {beside} s; the report, not counted here, takes a few tenths more. It takes {steps} steps, where the paper took 12,000. A program before
+this one, with 5,903 shorter steps, took 4.8 to 5.1 s in turn with this one's 3.5 to 4.2. Of a step without
 bending {membrane} % are the membrane, of which vectors do half and gathering, scattering and strips of yarn the rest; {contact} % are contact.
 Bending, held for up to eight steps, is {held} ns of {everything}; computed at every step it is {each_step}. Single precision in the membrane's
 geometry was tried and brought 3 % of it, loads of nodes in rows made it slower, and huge pages brought nothing. On an AMD EPYC (51 Gflop/s
