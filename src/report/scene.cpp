@@ -112,6 +112,7 @@ private:
     ComponentRanges ranges(field.components);
     for (const std::size_t f : chosen_) ranges.add(frames_.values(f, field));
     Quantised quantised = ranges.scale();
+    quantised.q.reserve(chosen_.size() * field.rows * field.components);
     for (const std::size_t f : chosen_) add_frame(quantised, frames_.values(f, field));
     return block(name, std::move(quantised), field.rows);
   }
