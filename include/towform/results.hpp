@@ -61,16 +61,18 @@ public:
   void append(double time, bool clearance, const FieldSource& source);
   /// Sets the root attribute `status`: "done" or why the run stopped.
   void finish(const std::string& status);
-  [[nodiscard]] int frames() const { return static_cast<int>(times_.size()); }
+  [[nodiscard]] int frames() const { return frames_; }
 
 private:
   template <class Each>
   void append_fields(double time, bool clearance, const Each& each);
+  void count_frame(double time);
   void write_xdmf() const;
 
   std::filesystem::path directory_;
   std::size_t nodes_, elements_;
-  std::vector<double> times_;
+  int frames_ = 0;
+  std::string xdmf_; ///< of the frames
   bool clearance_ = false; ///< has the first frame, and so has every one
 };
 

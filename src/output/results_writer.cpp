@@ -1,9 +1,11 @@
+#include "case/float_traps.hpp"
 #include "output/field.hpp"
 #include "output/hdf5.hpp"
 #include "output/text_file.hpp"
 #include "output/xdmf.hpp"
 #include "towform/error.hpp"
 #include "towform/results.hpp"
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -122,14 +124,33 @@ void check_rows(const Field& field, const Frame& frame, std::size_t nodes, std::
     throw std::invalid_argument(fmt::format("frame: {} has {} rows instead of {}", field.name, rows, expected));
 }
 
+/// Doubles in single precision, infinite where they are too large. HDF5 would take and give back buffers for each array.
+std::vector<float> in_single_precision(const double* values, std::size_t count)
+{
+  const UntrappedFloats converting;
+  std::vector<float> single(count);
+  std::transform(values, values + count, single.begin(), [](double value) { return static_cast<float>(value); });
+  return single;
+}
+
 // Not compressed: deflate at level 1 takes a quarter off the size of a noisy field and eight times as long.
 void write_field(hid_t group, const Field& field, const Frame& frame)
 {
   const Field::Values values = field.values(frame);
   hdf5::Shape shape{values.rows};
   if (field.components > 1) shape.push_back(static_cast<hsize_t>(field.components));
-  const hid_t memory = field.stored == Field::Number::int32 ? H5T_NATIVE_INT32 : H5T_NATIVE_DOUBLE;
-  write_with_units(group, field.name, shape, memory, file_type(field.stored), values.data, field.units);
+  const auto write = [&](hid_t memory, const void* data) {
+    write_with_units(group, field.name, shape, memory, file_type(field.stored), data, field.units);
+  };
+  const std::size_t numbers = values.rows * static_cast<std::size_t>(field.components);
+  switch (field.stored) {
+  case Field::Number::int32:
+    return write(H5T_NATIVE_INT32, values.data);
+  case Field::Number::float32:
+    return write(H5T_NATIVE_FLOAT, in_single_precision(static_cast<const double*>(values.data), numbers).data());
+  case Field::Number::float64:
+    return write(H5T_NATIVE_DOUBLE, values.data);
+  }
 }
 
 } // namespace
@@ -184,8 +205,8 @@ ResultsWriter::ResultsWriter(fs::path directory, const SurfaceMesh& blank, int f
                                   path.string(), names.size(), frames));
     for (int i = 0; i < frames; ++i) {
       const hdf5::Group frame = hdf5::open_group(group.id(), names[i]);
-      times_.push_back(hdf5::number_attribute(frame.id(), "time"));
       clearance_ = hdf5::has_link(frame.id(), "clearance");
+      count_frame(hdf5::number_attribute(frame.id(), "time"));
     }
     write_xdmf(); // before frames go that it names
     for (std::size_t i = frames; i < names.size(); ++i) hdf5::remove_link(group.id(), names[i]);
@@ -215,7 +236,7 @@ void ResultsWriter::append(double time, bool clearance, const FieldSource& sourc
 template <class Each>
 void ResultsWriter::append_fields(double time, bool clearance, const Each& each)
 {
-  if (times_.empty()) clearance_ = clearance;
+  if (frames_ == 0) clearance_ = clearance;
   if (clearance_ != clearance) throw std::invalid_argument("frame: clearance in some frames only");
   const fs::path path = results_path(directory_);
   refuse_other_writers(path);
@@ -230,10 +251,10 @@ void ResultsWriter::append_fields(double time, bool clearance, const Each& each)
       if (clearance || !field.optional)
         each(field, [&](const Frame& frame) { write_field(group.id(), field, frame); });
     file.flush();
-    hdf5::name_object(group.id(), file.id(), fmt::format("/frames/{:04}", times_.size()));
+    hdf5::name_object(group.id(), file.id(), fmt::format("/frames/{:04}", frames_));
   }
   file.close();
-  times_.push_back(time);
+  count_frame(time);
   write_xdmf();
 }
 
@@ -247,9 +268,12 @@ void ResultsWriter::finish(const std::string& status)
   file.close();
 }
 
-void ResultsWriter::write_xdmf() const
+void ResultsWriter::count_frame(double time)
 {
-  replace_file(directory_ / "results.xdmf", xdmf_text(times_, nodes_, elements_, clearance_));
+  xdmf_ += xdmf_frame(static_cast<std::size_t>(frames_), time, nodes_, elements_, clearance_);
+  ++frames_;
 }
+
+void ResultsWriter::write_xdmf() const { replace_file(directory_ / "results.xdmf", xdmf_text(xdmf_)); }
 
 } // namespace towform

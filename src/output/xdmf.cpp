@@ -36,7 +36,9 @@ std::string attribute(const std::string& name, Field::Centre centre, int compone
                      name, attribute_type(components), centre == Field::Centre::node ? "Node" : "Cell", item);
 }
 
-std::string grid(std::size_t frame, double time, std::size_t nodes, std::size_t elements, bool with_optional)
+} // namespace
+
+std::string xdmf_frame(std::size_t frame, double time, std::size_t nodes, std::size_t elements, bool with_optional)
 {
   const std::string group = fmt::format("/frames/{:04}/", frame);
   std::string text =
@@ -57,15 +59,12 @@ std::string grid(std::size_t frame, double time, std::size_t nodes, std::size_t 
   return text + "      </Grid>\n";
 }
 
-} // namespace
-
-std::string xdmf_text(std::span<const double> times, std::size_t nodes, std::size_t elements,
-                      bool with_optional)
+std::string xdmf_text(std::string_view frames)
 {
-  std::string text = "<?xml version=\"1.0\" ?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n"
-                     "    <Grid Name=\"frames\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (std::size_t i = 0; i < times.size(); ++i) text += grid(i, times[i], nodes, elements, with_optional);
-  return text + "    </Grid>\n  </Domain>\n</Xdmf>\n";
+  return fmt::format("<?xml version=\"1.0\" ?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n"
+                     "    <Grid Name=\"frames\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
+                     "{}    </Grid>\n  </Domain>\n</Xdmf>\n",
+                     frames);
 }
 
 } // namespace towform
