@@ -1,4 +1,5 @@
 #include "solver/energy.hpp"
+#include "parallel/parallel.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -16,10 +17,14 @@ Energies energy_account(const Model& model, const System& s)
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
   Energies e;
   // v_(n-1/2) . v_(n+1/2): what central differences conserve in a linear system.
-  for (std::size_t n = 0; n < model.mass.size(); ++n) {
-    const Vec3& v = s.sheet.velocity[n];
-    e.kinetic += 0.5 * (model.mass[n] * norm_squared(v) + s.sheet.last_dt * dot(v, s.sheet.force[n]));
-  }
+  e.kinetic = parallel_sum(model.mass.size(), [&](std::size_t begin, std::size_t end) {
+    double part = 0.0;
+    for (std::size_t n = begin; n < end; ++n) {
+      const Vec3& v = s.sheet.velocity[n];
+      part += 0.5 * (model.mass[n] * norm_squared(v) + s.sheet.last_dt * dot(v, s.sheet.force[n]));
+    }
+    return part;
+  });
   for (std::size_t i = 0; i < s.boundaries.size(); ++i) {
     e.external += s.boundaries[i].work;
     e.kinetic -= kinetic_energy(model.boundaries[i], s.sheet, model.mass); // theirs, not the sheet's
