@@ -170,7 +170,7 @@ std::vector<Row> all_rows()
     {"time.mass_damping", AT(c.time.mass_damping), D::frequency, "0", ">= 0", "force on a node over its mass and velocity"},
     {"time.subcycling", AT(c.time.subcycling), D::none, "true", "", "bending, slow beside the yarns' waves, is computed every few steps and held between, eight at most"},
 
-    {"contact.penalty", AT(c.contact.penalty), D::none, "0.3", "> 0, <= 0.5", "stiffness of contact over node mass / step^2, of the sheet with its masses in thirds (time.lumping)"},
+    {"contact.penalty", AT(c.contact.penalty), D::none, "0.3", "> 0, <= 1", "stiffness of contact over node mass / step^2, of the sheet with its masses in thirds (time.lumping)"},
     {"contact.soft", AT(c.contact.soft), D::none, "0.1", "> 0, <= 1", "stiffness at first touch over that of penalty; 1 for a linear spring"},
     {"contact.soft_depth", AT(c.contact.soft_depth), D::none, "0.02", "0 .. 0.1", "how deep contact is soft, over the sheet's thickness"},
     {"contact.damping", AT(c.contact.damping), D::none, "0.1", "0 .. 1", "normal to the tool, fraction of critical"},

@@ -1,6 +1,7 @@
 #include "element/membrane.hpp"
 #include "element/arcsine.hpp"
 #include "element/membrane_work.hpp"
+#include "element/strip_lattice.hpp"
 #include "mesh/element_shapes.hpp"
 #include "parallel/parallel.hpp"
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include "element/yarn_strips.hpp"
+#include "element/strip_lattice.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,106 +10,14 @@ namespace towform {
 
 namespace {
 
-/// A rectangle of the lattice of one yarn family: row across, column along the yarns, level by element size.
-struct Cell {
-  int level, family, row, column;
-  auto operator<=>(const Cell&) const = default; // NOLINT(modernize-use-nullptr): none is used
-};
-
-/// Index of the interval of a lattice that has a border at 0, alike on both sides of it.
-int interval(double x)
-{
-  constexpr double nudge = 1e-6; // what lies on a border goes outwards, whatever the rounding
-  const int k = static_cast<int>(std::floor(std::abs(x) + nudge));
-  return x >= 0.0 ? k : -1 - k;
-}
-
-/// Index of the interval of a lattice that is centred on 0.
-int centred_interval(double x)
-{
-  constexpr double nudge = 1e-6;
-  const int k = static_cast<int>(std::floor(std::abs(x) + 0.5 + nudge));
-  return x >= 0.0 ? k : -k;
-}
-
-bool is_shifted(int row) { return (row >= 0 ? row : -1 - row) % 2 == 1; }
-
-/// The lattice of strips on the flat blank.
-class Lattice {
-public:
-  Lattice(const Blank& blank, double edge)
-      : edge_(edge), length_(follows_yarns(blank) ? YarnStrips::aligned_length : YarnStrips::strip_length)
-  {
-    const Vec3 normal{0.0, 0.0, 1.0};
-    along_[0] = blank.warp;
-    along_[1] = blank.weft;
-    for (int f = 0; f < 2; ++f) across_[f] = cross(normal, along_[f]);
-    if (!blank.mirror_x.empty()) mirrors_.push_back({1, 0, 0});
-    if (!blank.mirror_y.empty()) mirrors_.push_back({0, 1, 0});
-  }
-
-  [[nodiscard]] int level(double edge) const
-  {
-    return static_cast<int>(std::lround(std::log2(edge / edge_)));
-  }
-
-  struct Place {
-    Cell cell;
-    int times; ///< how often an entry there counts: its mirror images in the same cell, and itself
-  };
-
-  /// The cell of a point, or the one of its mirror images that comes first.
-  [[nodiscard]] Place place(const Vec3& point, int family, int level) const
-  {
-    const Cell own = here(point, family, level);
-    Place p{own, 1};
-    const auto see = [&](const Cell& image) {
-      p.cell = std::min(p.cell, image);
-      p.times += image == own;
-    };
-    for (const Vec3& a : mirrors_) see(image(point, family, level, a));
-    if (mirrors_.size() == 2)
-      see(image(reflected(point, mirrors_[1]), exchanged(family, mirrors_[1]), level, mirrors_[0]));
-    return p;
-  }
-
-private:
-  [[nodiscard]] Cell here(const Vec3& point, int family, int level) const
-  {
-    const double edge = std::ldexp(edge_, level);
-    const int row = interval(dot(point, across_[family]) / (YarnStrips::strip_width * edge));
-    const double along = dot(point, along_[family]) / (length_ * edge);
-    return {level, family, row, is_shifted(row) ? centred_interval(along) : interval(along)};
-  }
-
-  static Vec3 reflected(const Vec3& p, const Vec3& mirror) { return p - (2.0 * dot(p, mirror)) * mirror; }
-
-  /// The family that a reflected yarn belongs to.
-  [[nodiscard]] int exchanged(int family, const Vec3& mirror) const
-  {
-    const Vec3 yarn = reflected(along_[family], mirror);
-    return std::abs(dot(yarn, along_[family])) >= std::abs(dot(yarn, along_[1 - family])) ? family
-                                                                                          : 1 - family;
-  }
-
-  [[nodiscard]] Cell image(const Vec3& point, int family, int level, const Vec3& mirror) const
-  {
-    return here(reflected(point, mirror), exchanged(family, mirror), level);
-  }
-
-  double edge_, length_; // the length in edges
-  Vec3 along_[2], across_[2];
-  std::vector<Vec3> mirrors_;
-};
-
 struct Content {
   std::vector<YarnEntry> entries;
   int count = 0; ///< of the entries of the whole sheet
 };
-using Cells = std::map<Cell, Content>;
+using Cells = std::map<StripCell, Content>;
 
 /// The smaller neighbour along the row, the inner one of two equals.
-Cells::iterator neighbour(Cells& cells, const Cell& cell)
+Cells::iterator neighbour(Cells& cells, const StripCell& cell)
 {
   auto best = cells.end();
   for (const int step : {-1, 1}) {
@@ -155,13 +64,6 @@ std::vector<double> local_edges(const Blank& blank, std::span<const double> area
   return edge;
 }
 
-double median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 YarnStrips collected(const std::vector<std::vector<YarnEntry>>& lists, std::span<const double> area)
 {
   YarnStrips s;
@@ -206,31 +108,13 @@ void YarnStrips::reorder(std::span<const int> order)
   *this = std::move(its);
 }
 
-bool follows_yarns(const Blank& blank)
-{
-  constexpr double tolerance = 1e-6; // sine of the angle between edge and yarn
-  const auto has_edge_along = [&](const Triangle& t, const Vec3& yarn) {
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 edge = blank.mesh.points[t[(k + 1) % 3]] - blank.mesh.points[t[k]];
-      if (norm(cross(edge, yarn)) < tolerance * norm(edge)) return true;
-    }
-    return false;
-  };
-  return std::all_of(blank.mesh.triangles.begin(), blank.mesh.triangles.end(), [&](const Triangle& t) {
-    return has_edge_along(t, blank.warp) && has_edge_along(t, blank.weft);
-  });
-}
-
 YarnStrips lay_strips(const Blank& blank, std::span<const double> area)
 {
-  const std::vector<double> edge = local_edges(blank, area);
-  const Lattice lattice(blank, median(edge));
+  const StripLattice lattice(blank, local_edges(blank, area));
   Cells cells;
   for (std::size_t e = 0; e < area.size(); ++e) {
-    const auto& [a, b, c] = blank.mesh.triangles[e];
-    const Vec3 centre = (1.0 / 3.0) * (blank.mesh.points[a] + blank.mesh.points[b] + blank.mesh.points[c]);
     for (int family = 0; family < 2; ++family) {
-      const auto [cell, times] = lattice.place(centre, family, lattice.level(edge[e]));
+      const auto [cell, times] = lattice.place(e, family);
       Content& content = cells[cell];
       content.entries.push_back(static_cast<YarnEntry>(2 * e) + family);
       content.count += times;

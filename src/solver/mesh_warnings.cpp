@@ -1,4 +1,5 @@
 #include "solver/mesh_warnings.hpp"
+#include "element/strip_lattice.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

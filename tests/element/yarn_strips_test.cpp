@@ -1,9 +1,14 @@
 #include "element/membrane.hpp"
 #include "element/sheet.hpp"
+#include "element/strip_lattice.hpp"
 #include "element/yarn_strips.hpp"
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace towform {
 namespace {
@@ -64,13 +69,71 @@ TEST(YarnStrips, AreLongAlongTheYarnAndNarrowAcross)
   EXPECT_LT(mean, 7.0);
 }
 
-TEST(YarnStrips, AreLongerWhereTheMeshFollowsTheYarns)
+/// The line of a triangle's edge along a yarn, and on which side of it the triangle is.
+struct LineAndSide {
+  double line;
+  bool beyond;
+};
+LineAndSide line_of(const Blank& blank, int element, bool warp)
 {
-  const auto triangles = [](double mesh_angle) {
-    const Blank blank = test::blank(Pattern::diagonal, 0.0, mesh_angle, 4000);
-    return 2.0 * static_cast<double>(blank.mesh.triangles.size()) / static_cast<double>(lay_strips(blank, areas(blank)).size());
-  };
-  EXPECT_NEAR(triangles(0.0) / triangles(10.0 * degree), YarnStrips::aligned_length / YarnStrips::strip_length, 0.15);
+  const Vec3 across = cross(Vec3{0.0, 0.0, 1.0}, warp ? blank.warp : blank.weft);
+  std::array<double, 3> y{};
+  for (std::size_t k = 0; k < 3; ++k) y[k] = dot(blank.mesh.points[blank.mesh.triangles[element][k]], across);
+  std::sort(y.begin(), y.end());
+  const bool beyond = y[1] - y[0] < y[2] - y[1];
+  return {beyond ? y[0] : y[2], beyond};
+}
+
+TEST(YarnStrips, AreBarsOfNineElementsOrMoreWhereTheMeshFollowsTheYarns)
+{
+  for (const int elements : {4000, 5000, 7000}) { // of which a lattice would cut short ones somewhere
+    const Blank blank = test::blank(Pattern::diagonal, 0.0, 0.0, elements);
+    const YarnStrips strips = lay_strips(blank, areas(blank));
+    std::size_t shortest = 2 * blank.mesh.triangles.size(), longest = 0;
+    for (std::size_t i = 0; i < strips.size(); ++i) {
+      const auto entries = strips.entries_of(i);
+      shortest = std::min(shortest, entries.size());
+      longest = std::max(longest, entries.size());
+      const bool warp = entries.front() % 2 == 0;
+      const auto [line, beyond] = line_of(blank, entries.front() / 2, warp);
+      for (const YarnEntry entry : entries) {
+        const auto its = line_of(blank, entry / 2, warp);
+        EXPECT_NEAR(its.line, line, 1e-12);
+        EXPECT_EQ(its.beyond, beyond);
+      }
+    }
+    EXPECT_GE(shortest, static_cast<std::size_t>(YarnStrips::aligned_elements)) << elements;
+    EXPECT_LE(longest, static_cast<std::size_t>(3 * YarnStrips::aligned_elements)) << elements; // on the middle line
+  }
+}
+
+TEST(YarnStrips, OfAQuarterAreThoseOfTheWhole)
+{
+  for (const int elements : {3000, 5000}) { // the middle of the blank lies between lines of yarn and on one
+    BlankParameters p;
+    p.size = {0.1, 0.08};
+    p.elements = elements;
+    p.pattern = Pattern::diagonal;
+    p.thickness = 1e-3;
+    const Blank whole = make_blank(p);
+    p.symmetry = Symmetry::quarter;
+    const Blank quarter = make_blank(p);
+    const auto place = [](const Blank& blank, std::size_t e) {
+      const auto& [a, b, c] = blank.mesh.triangles[e];
+      const Vec3 sum = blank.mesh.points[a] + blank.mesh.points[b] + blank.mesh.points[c];
+      return std::pair(std::lround(1e7 * sum.x), std::lround(1e7 * sum.y));
+    };
+    std::map<std::pair<long, long>, std::size_t> in_whole;
+    for (std::size_t e = 0; e < whole.mesh.triangles.size(); ++e) in_whole[place(whole, e)] = e;
+    const YarnStrips of_whole = lay_strips(whole, areas(whole)), of_quarter = lay_strips(quarter, areas(quarter));
+    std::map<int, int> one_way, other_way;
+    for (std::size_t e = 0; e < quarter.mesh.triangles.size(); ++e)
+      for (std::size_t family = 0; family < 2; ++family) {
+        const int here = of_quarter.of[2 * e + family], there = of_whole.of[2 * in_whole.at(place(quarter, e)) + family];
+        EXPECT_EQ(one_way.try_emplace(here, there).first->second, there);
+        EXPECT_EQ(other_way.try_emplace(there, here).first->second, here);
+      }
+  }
 }
 
 TEST(YarnStrips, AreNotNeededWhereTheMeshFollowsTheYarns)

@@ -25,7 +25,7 @@ QUIET = ("gates.kinetic_to_internal=1e9", "gates.penetration=1 mm", "gates.energ
          "output.frames=1")
 
 
-SPRINGS = (("relaxation_ratio", 0.1), ("relaxation_ratio", 0.01), ("strip_stiffness", 3000), ("strip_stiffness", 300))
+SPRINGS = (("relaxation_ratio", 0.1), ("relaxation_ratio", 0.01), ("strip_stiffness", 1000), ("strip_stiffness", 100))
 
 
 def settings(case, elements, mass=1, speed=1, law="viscous", curves=None, bending=True, spring=None):
