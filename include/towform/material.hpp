@@ -51,7 +51,7 @@ struct MaterialParameters {
   double compression_factor = 0.0; ///< yarn stiffness in compression over that in tension
   double yarn_damping = 0.0;       ///< fraction of critical, in the yarn direction
   YarnStrain yarn_strain = YarnStrain::automatic;
-  double strip_stiffness = 0.0;  ///< spring between a triangle and its strip over the sheet's shear force
+  std::optional<double> strip_stiffness; ///< spring between a triangle and its strip over the sheet's shear force
   double relaxation_ratio = 0.0; ///< Maxwell modulus G over yarn stiffness E h (viscous law)
   /// B of warp (x) and weft (y), moment per width over the yarn's curvature [N m]; none: no bending.
   std::optional<Vec2> bending_stiffness;

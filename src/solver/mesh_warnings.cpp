@@ -16,10 +16,10 @@ std::string locking(const Case& c, const Model& model)
   constexpr double harmless = 200.0;
   const YarnStrips& strips = model.membrane.strips;
   const bool own = strips.size() == strips.of.size(); // every triangle answers to its own strain
-  if (own || c.material.strip_stiffness <= harmless || follows_yarns(model.blank)) return "";
+  if (own || c.material.strip_stiffness.value_or(0.0) <= harmless || follows_yarns(model.blank)) return "";
   return fmt::format("strip_stiffness locks: {} is for meshes along the yarns, and this one crosses them; "
                      "leave out material.strip_stiffness\n",
-                     c.material.strip_stiffness);
+                     *c.material.strip_stiffness);
 }
 
 double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c)

@@ -1,4 +1,5 @@
 #include "solver/model.hpp"
+#include "element/strip_lattice.hpp"
 #include "parallel/parallel.hpp"
 #include "solver/inertia.hpp"
 #include "solver/memory.hpp"
@@ -71,11 +72,13 @@ double shear_modulus_bound(const FabricMaterial& material)
 
 /// The spring that holds a triangle's yarn strain to its strip's [N/m]: of the order of what shears the
 /// sheet, within limits for a sheet that resists almost not or almost like its yarns.
-double strip_spring(const Case& c, const ShearTable& surface, const YarnLaw& yarn)
+double strip_spring(const Case& c, const Blank& blank, const ShearTable& surface, const YarnLaw& yarn)
 {
   constexpr double least_share = 1e-4, most_share = 0.1;
+  constexpr double of_any_mesh = 50.0, of_yarns = 300.0; // with more, triangles that cross the yarns lock
+  const double wanted = c.material.strip_stiffness.value_or(follows_yarns(blank) ? of_yarns : of_any_mesh);
   const double typical_force = surface.force(0.25 * M_PI, 1.0 / c.time.end);
-  return std::clamp(c.material.strip_stiffness * typical_force, least_share * yarn.stiffness,
+  return std::clamp(wanted * typical_force, least_share * yarn.stiffness,
                     most_share * yarn.stiffness);
 }
 
@@ -163,7 +166,7 @@ Model build_model(const Case& c)
 
   const YarnLaw yarn{c.material.fibre_modulus * c.blank.thickness, c.material.compression_factor};
   Membrane membrane(*blank, yarn, material->law, c.material.yarn_strain);
-  membrane.own_stiffness = strip_spring(c, *material->surface, yarn);
+  membrane.own_stiffness = strip_spring(c, *blank, *material->surface, yarn);
   Model model(std::move(*blank), std::move(*material), std::move(membrane));
   model.clamped = clamped_edges(c, boundaries);
   if (c.material.has_bending())
