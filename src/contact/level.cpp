@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace towform {
@@ -31,8 +30,8 @@ public:
     if (mark.size() < facets) mark.resize(facets, 0);
     ++walk;
   }
-  /// Whether it is for the first time.
-  bool meet(int facet) { return std::exchange(mark[static_cast<std::size_t>(facet)], walk) != walk; }
+  void meet(int facet) { mark[static_cast<std::size_t>(facet)] = walk; }
+  [[nodiscard]] bool has(int facet) const { return mark[static_cast<std::size_t>(facet)] == walk; }
 
 private:
   static thread_local std::vector<std::int64_t> mark; // the walk that met a facet last
@@ -46,6 +45,7 @@ thread_local std::int64_t Met::walk = 0;
 double level_room(const ToolSurface& surface, int facet, double most)
 {
   const Facet& f = surface.tree().facet(facet);
+  if (!(f.goes_on[0] && f.goes_on[1] && f.goes_on[2])) return 0.0;
   double room_squared = most * most;
   Met met(surface.mesh().triangles.size());
   std::vector<int> open{facet};
@@ -55,11 +55,14 @@ double level_room(const ToolSurface& surface, int facet, double most)
     open.pop_back();
     const Facet& here = surface.tree().facet(number);
     for (std::size_t k = 0; k < 3; ++k) {
+      if (here.goes_on[k] && met.has(here.across[k])) continue;
       const double squared = number == facet ? 0.0 : squared_from_edge(f, here.corner[k], here.corner[(k + 1) % 3]);
-      if (!here.goes_on[k])
+      if (!here.goes_on[k]) {
         room_squared = std::min(room_squared, squared);
-      else if (squared < room_squared && met.meet(here.across[k]))
+      } else if (squared < room_squared) {
+        met.meet(here.across[k]);
         open.push_back(here.across[k]);
+      }
     }
   }
   return std::sqrt(room_squared);

@@ -120,10 +120,11 @@ CurvatureOperator::CurvatureOperator(const Blank& blank, std::span<const Symmetr
   const bool fitted =
       std::all_of(fits.begin(), fits.end(), [](const QuadraticFit& fit) { return !fit.points.empty(); });
   const std::vector<double> area = areas_of(blank.mesh);
-  if (balance > 0 && fitted)
-    for (std::size_t d = 0; d < 2; ++d)
-      imbalance = std::max(imbalance,
-                           balance_moments(sheet, blank.mesh, fits, area, directions[d], balance, weights[d]));
+  if (balance > 0 && fitted) {
+    std::array<double, 2> left{};
+    parallel_each(2, [&](int d) { left[d] = balance_moments(sheet, blank.mesh, fits, area, directions[d], balance, weights[d]); });
+    imbalance = std::max(left[0], left[1]);
+  }
   // Some blocks at a time: all patches together would be what a fine mesh takes most memory for.
   constexpr std::size_t together = 64;
   const std::vector<int> starts = block_starts(blank.tiles.nodes, static_cast<int>(sheet.nodes));

@@ -73,21 +73,27 @@ void set_contacts(const Case& c, Model& model)
                         2.0 * c.contact.stick * one.stiffness_per_area, 2.0 * c.contact.stick * one.damping_per_area};
 }
 
-/// Sets contact, looks at the flat sheet's stable step and makes elements heavier until it is the one that is wanted. Heavier
-/// elements change what their neighbours' patches are given, and how far the bound is from the limit: a few rounds reach the step.
-void scale_masses(const Case& c, const State& flat, std::span<const double> lumping, Model& model)
+/// Where the sheet's masses lie, and the limit of the step with them [s].
+struct Placed {
+  std::vector<double> factors; ///< of the nodes, on thirds of their elements' masses
+  double limit;
+};
+
+/// Makes elements heavier until the flat sheet's stable step is the one that is wanted. Heavier elements change what their neighbours'
+/// patches are given, and how far the bound is from the limit: a few rounds reach the step.
+void scale_masses(const Case& c, const State& flat, const Placed& placed, Model& model)
 {
   const double wanted = c.time.step.value_or(0.0) / model.safety;
   constexpr int most_rounds = 20;
   constexpr double aim = 1.001;
   for (int round = 0; round < most_rounds; ++round) {
     const StepBound bound(model.membrane, {model.element_mass, model.mass}, model.shear_modulus, model.bending);
-    set_contacts(c, model);
-    model.first_look = look_at_step(model, bound, flat);
+    if (round > 0) set_contacts(c, model);
+    model.first_look = round > 0 ? look_at_step(model, bound, flat) : StepLook{placed.limit, bound.at(flat).step};
     if (model.first_look.step >= wanted) return;
     const auto factors = bound.mass_factors(flat, aim * wanted / model.first_look.over_bound());
     for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
-    model.mass = lumped(model.membrane, model.element_mass, lumping);
+    model.mass = lumped(model.membrane, model.element_mass, placed.factors);
   }
 }
 
@@ -109,15 +115,21 @@ double place_masses(const Case& c, std::span<const double> lumping, Model& model
       .at(flat, wave_step(model));
 }
 
-/// The nodes' factors on thirds of their elements' masses: as the case wants them, or all 1 where the sheet has weight, which hangs
-/// where its mass is and bends it accordingly, or where bending limits the step, and it would be shorter with them.
-std::vector<double> find_lumping(const Case& c, Model& model)
+/// Places the masses as the case wants them, or in thirds where the sheet has weight, which hangs where its mass is and bends it
+/// accordingly, or where bending limits the step, and it would be shorter otherwise.
+Placed place_masses(const Case& c, Model& model)
 {
+  const auto placed = [&](std::vector<double> factors) {
+    const double limit = place_masses(c, factors, model);
+    return Placed{std::move(factors), limit};
+  };
   const std::vector<double> thirds(model.membrane.node_area.size(), 1.0);
-  if (c.time.lumping == 0.0 || !model.gravity.empty()) return thirds;
+  if (c.time.lumping == 0.0 || !model.gravity.empty()) return placed(thirds);
   std::vector<double> factors = lumping_factors(model.blank, model.membrane, c.time.lumping);
-  if (model.bending.empty()) return factors;
-  return place_masses(c, factors, model) >= place_masses(c, thirds, model) ? factors : thirds;
+  if (model.bending.empty()) return placed(std::move(factors));
+  const double limit_of_thirds = place_masses(c, thirds, model);
+  Placed as_wanted = placed(std::move(factors));
+  return as_wanted.limit >= limit_of_thirds ? as_wanted : placed(thirds);
 }
 
 } // namespace
@@ -132,11 +144,9 @@ void set_inertia(const Case& c, Model& model)
   const double own_mass = per_area * std::accumulate(areas.begin(), areas.end(), 0.0);
   for (const double area : areas) model.element_mass.push_back(per_area * area * c.time.mass_scaling);
   model.safety = c.time.safety;
-  const std::vector<double> lumping = find_lumping(c, model);
-  model.mass = lumped(membrane, model.element_mass, lumping);
-  model.lumped = std::any_of(lumping.begin(), lumping.end(), [](double factor) { return factor != 1.0; });
-  set_damping(c.material, sheet.position, model);
-  scale_masses(c, sheet, lumping, model);
+  const Placed placed = place_masses(c, model);
+  model.lumped = std::any_of(placed.factors.begin(), placed.factors.end(), [](double factor) { return factor != 1.0; });
+  scale_masses(c, sheet, placed, model);
   model.added_mass_fraction = std::max( // not less than none in the last digit
       0.0, std::accumulate(model.element_mass.begin(), model.element_mass.end(), 0.0) / own_mass - 1.0);
   double lightest = HUGE_VAL; // mass per area: where mass scaling has added least
