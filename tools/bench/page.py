@@ -104,7 +104,7 @@ def write(text):
                     [(r["elements"], r["threads"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", *phases(r), f"{r['bytes']:.0f}") for r in runs]),
               f"Bytes are the most that the program had, with its libraries and the tools. From the second finest mesh to the finest each "
               f"element more takes {memory(runs)[0]:.0f}.\n"]
-    parts += ["## What each part costs\n", "One thread, the first 1,500 steps of the double dome.\n",
+    parts += ["## What each part costs\n", "One thread, the first 1,000 steps of the double dome.\n",
               table(("what", "ns per element-step, least", "median", "over everything", *STEPPING, "output"),
                     [(r["what"], f"{r['ns_min']:.1f}", f"{r['ns_median']:.1f}", f"{r['over_everything']:.2f}",
                       *phases(r, (*STEPPING, "output"))) for r in features])]

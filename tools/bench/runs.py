@@ -9,7 +9,7 @@ from bench.timing import STEPPING, interleaved, least, median
 BENDING = "material.bending_stiffness=1 mN m"  # assumed, typical
 # Steps near the middle of the press would need the way there: these are its first millimetres, holder and die at work. The two
 # coarsest meshes go as far as each other; later more of a coarse mesh's nodes come to another facet at every step.
-SIZES = ((5000, 700), (21706, 1500), (100000, 400), (400000, 100), (1000000, 40))  # elements, steps
+SIZES = ((5000, 400), (21706, 1000), (100000, 250), (400000, 70), (1000000, 25))  # elements, steps
 
 
 def sized(elements, steps, threads, settings=(BENDING,)):
@@ -44,7 +44,7 @@ FEATURES = {
 
 def features(repeats):
     """Rows: what is on, ns per element-step (least, median), ratio to everything on, and phases."""
-    jobs = {name: dict(case="double_dome", settings=settings, threads=1, steps=1500) for name, settings in FEATURES.items()}
+    jobs = {name: dict(case="double_dome", settings=settings, threads=1, steps=1000) for name, settings in FEATURES.items()}
     samples = interleaved(jobs, repeats)
     everything = least(samples["everything"]).ns
     return [{"what": name, "ns_min": least(s).ns, "ns_median": median(s), "over_everything": least(s).ns / everything,
@@ -64,7 +64,7 @@ def one_core_busy():
 
 def busy(repeats):
     """Rows: threads, with and without another program on one core: ns per element-step."""
-    jobs = {f"{threads} threads": dict(case="double_dome", threads=threads, steps=1500) for threads in (1, 2)}
+    jobs = {f"{threads} threads": dict(case="double_dome", threads=threads, steps=1000) for threads in (1, 2)}
     idle = interleaved(jobs, repeats)
     with one_core_busy():
         loaded = interleaved(jobs, repeats)
