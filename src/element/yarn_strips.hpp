@@ -20,8 +20,8 @@ using YarnEntry = int;
 /// Where the mesh follows the yarns, a row is the triangles on one side of a line of edges, and is divided evenly into strips of
 /// `aligned_elements` or more (of twice as many on a line through the middle of the blank, whose two rows are mirror images).
 /// The strip is a bar between two nodes of the line; that of the row on the other side begins elsewhere. The longer the
-/// shortest strip, the longer is the stable step: 1.4 times that of strips in a lattice of the same mean length, which cuts
-/// short ones. With 9 elements a double dome of 25,600 is 0.32 degrees RMS from the finest mesh, as with four (0.31), one of 3,200
+/// shortest strip, the longer is the stable step: 1.3 to 1.7 times that of strips in a lattice, six and a half edges long, which
+/// cuts short ones. With 9 elements a double dome of 25,600 is 0.32 degrees RMS from the finest mesh, as with four (0.31), one of 3,200
 /// 1.9. On meshes that cross the yarns longer strips lose shear (hemisphere of 1,600 elements whose nodes are a fifth
 /// of an edge off: 1.2 degrees RMS from the mesh as it was with four edges, 1.4 with six and a half).
 ///
