@@ -72,7 +72,7 @@ private:
   std::filesystem::path directory_;
   std::size_t nodes_, elements_;
   int frames_ = 0;
-  std::string xdmf_; ///< of the frames
+  std::string xdmf_; ///< what results.xdmf says of the frames
   bool clearance_ = false; ///< has the first frame, and so has every one
 };
 

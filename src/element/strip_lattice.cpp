@@ -2,6 +2,7 @@
 #include "element/yarn_strips.hpp"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace towform {
 
@@ -109,8 +110,8 @@ void StripLattice::each_image(const Corners& corners, int family, const Visit& v
   visit(reflected(reflected(corners, mirrors_[1]), mirrors_[0]), exchanged(exchanged(family, mirrors_[1]), mirrors_[0]));
 }
 
-/// The row of a triangle that has an edge along the yarn: half a line apart lines may lie, as the middle of the blank may lie
-/// between two.
+/// The row of a triangle that has an edge along the yarn. Lines are counted in halves, as the middle of the blank may lie between
+/// two.
 StripLattice::Row StripLattice::row(const Corners& corners, int family, int level) const
 {
   const std::array<double, 3> across = along(corners, across_[family]);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace towform {
 
@@ -88,12 +89,12 @@ void scale_masses(const Case& c, const State& flat, const Placed& placed, Model&
   constexpr double aim = 1.001;
   for (int round = 0; round < most_rounds; ++round) {
     const StepBound bound(model.membrane, {model.element_mass, model.mass}, model.shear_modulus, model.bending);
-    if (round > 0) set_contacts(c, model);
     model.first_look = round > 0 ? look_at_step(model, bound, flat) : StepLook{placed.limit, bound.at(flat).step};
     if (model.first_look.step >= wanted) return;
     const auto factors = bound.mass_factors(flat, aim * wanted / model.first_look.over_bound());
     for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
     model.mass = lumped(model.membrane, model.element_mass, placed.factors);
+    set_contacts(c, model);
   }
 }
 
@@ -104,32 +105,28 @@ int bending_interval(const Bending& bending, const Model& model)
   return longest_hold(fastest_bending(bending, model.mass) * model.first_step, bending.damping_time / model.first_step, most);
 }
 
-/// Places the masses, sets damping and contact; returns the limit of the step [s].
-double place_masses(const Case& c, std::span<const double> lumping, Model& model)
+/// Places the masses by the nodes' `factors`, sets damping and contact.
+Placed place(const Case& c, std::vector<double> factors, Model& model)
 {
   const std::vector<Vec3>& flat = model.blank.mesh.points;
-  model.mass = lumped(model.membrane, model.element_mass, lumping);
+  model.mass = lumped(model.membrane, model.element_mass, factors);
   set_damping(c.material, flat, model);
   set_contacts(c, model);
-  return StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs)
-      .at(flat, wave_step(model));
+  const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
+  return {std::move(factors), limit.at(flat, wave_step(model))};
 }
 
 /// Places the masses as the case wants them, or in thirds where the sheet has weight, which hangs where its mass is and bends it
 /// accordingly, or where bending limits the step, and it would be shorter otherwise.
 Placed place_masses(const Case& c, Model& model)
 {
-  const auto placed = [&](std::vector<double> factors) {
-    const double limit = place_masses(c, factors, model);
-    return Placed{std::move(factors), limit};
-  };
   const std::vector<double> thirds(model.membrane.node_area.size(), 1.0);
-  if (c.time.lumping == 0.0 || !model.gravity.empty()) return placed(thirds);
+  if (c.time.lumping == 0.0 || !model.gravity.empty()) return place(c, thirds, model);
   std::vector<double> factors = lumping_factors(model.blank, model.membrane, c.time.lumping);
-  if (model.bending.empty()) return placed(std::move(factors));
-  const double limit_of_thirds = place_masses(c, thirds, model);
-  Placed as_wanted = placed(std::move(factors));
-  return as_wanted.limit >= limit_of_thirds ? as_wanted : placed(thirds);
+  if (model.bending.empty()) return place(c, std::move(factors), model);
+  const double limit_of_thirds = place(c, thirds, model).limit;
+  Placed as_wanted = place(c, std::move(factors), model); // last, as it mostly stays
+  return as_wanted.limit >= limit_of_thirds ? as_wanted : place(c, thirds, model);
 }
 
 } // namespace
