@@ -4,6 +4,7 @@
 #include "parallel/parallel.hpp"
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 namespace towform {
@@ -171,6 +172,23 @@ ContactSums meet(const Meeting& m, NodeBlock& block)
   return total(sums);
 }
 
+/// Whether a node of a block touches more tools than are counted of it.
+bool touches_more(std::span<const ContactState> states, std::span<const double> counted, const NodeBlock& block)
+{
+  constexpr int group = NodeLanes::group;
+  for (int g = 0; g * group < block.count; ++g) {
+    int tools = 0; // of the group
+    for (const ContactState& c : states) tools += c.planes.touching[block.first / group + g];
+    if (tools < 2) continue;
+    for (int n = block.first + g * group; n < block.first + std::min((g + 1) * group, block.count); ++n) {
+      double touched = 0.0;
+      for (const ContactState& c : states) touched += c.normal_force[n] > 0.0 ? 1.0 : 0.0;
+      if (touched > counted[n]) return true;
+    }
+  }
+  return false;
+}
+
 /// What the blocks tell of a tool, in their order.
 void take_sums(std::span<const ContactSums> sums, ToolState& tool, ContactState& c, std::span<const Vec3> position,
                const ContactLaw& law)
@@ -207,10 +225,11 @@ void take_sums(std::span<const ContactSums> sums, ToolState& tool, ContactState&
 
 } // namespace
 
-void contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
-                    std::span<ContactState> states, std::span<const double> area, State& s, double dt, double moved)
+bool contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
+                    std::span<ContactState> states, std::span<const double> area, std::span<const double> counted, State& s,
+                    double dt, double moved)
 {
-  if (contacts.empty()) return;
+  if (contacts.empty()) return false;
   const int nodes = static_cast<int>(s.position.size());
   const int blocks = (nodes + block_size - 1) / block_size;
   std::vector<Meeting> meetings;
@@ -227,16 +246,19 @@ void contact_forces(std::span<const Contact> contacts, std::span<const Tool> too
                          contact.stiffness_per_area, contact.soft, contact.soft_depth, contact.damping_per_area,
                          contact.stick_ratio, tool.friction, dt}});
   }
+  std::atomic<bool> more{false};
   std::vector<ContactSums> sums(contacts.size() * static_cast<std::size_t>(blocks));
   parallel_each(blocks, [&](int block) {
     NodeBlock its_nodes(s, area, block * block_size);
     for (std::size_t i = 0; i < meetings.size(); ++i)
       sums[i * static_cast<std::size_t>(blocks) + block] = meet(meetings[i], its_nodes);
     its_nodes.give_forces();
+    if (!counted.empty() && touches_more(states, counted, its_nodes)) more = true;
   });
   for (std::size_t i = 0; i < contacts.size(); ++i)
     take_sums(std::span(sums).subspan(i * static_cast<std::size_t>(blocks), static_cast<std::size_t>(blocks)),
               tool_states[contacts[i].tool], states[i], s.position, meetings[i].law);
+  return more;
 }
 
 } // namespace towform

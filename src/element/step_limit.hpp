@@ -4,29 +4,31 @@
 
 namespace towform {
 
-/// What tools add to a sheet that they touch, per area of it.
+/// What a tool adds to a sheet that it touches, per area of it.
 struct ToolSprings {
   double normal = 0.0, normal_damping = 0.0; ///< square to the sheet [N/m^3, N s/m^3]
   double along = 0.0, along_damping = 0.0;   ///< in it
 };
 
-/// The true limit of the time step of central differences on a sheet, measured, as if tools touched every node of it: Lanczos'
-/// method finds the largest eigenvalue of M^-1 K from a start of random signs, and what is left of it when the search ends is added
-/// to it, so that the result is on the safe side of the eigenvalue (Zhou and Li, Linear Algebra Appl. 435 (2011) 480-493). K is
-/// LinearSheet's; nodes stay on their mirror planes. The tools' springs stand square to the sheet and along it. Damping in proportion
-/// to stiffness, C = tau K, acts in a step dt like a stiffness 2 C / dt, as do the tools' dashpots: the limit is the root of
-/// dt^2 omega^2(K + 2 C / dt) = 4.
+/// The true limit of the time step of central differences on a sheet, measured with the tools that touch its nodes: Lanczos'
+/// method finds the largest eigenvalue of M^-1 K from a start of random signs. What may be missing to it when the search ends is
+/// added, so that the result is on the safe side of it: the residual (Zhou and Li, Linear Algebra Appl. 435 (2011) 480-493), or what
+/// a random start can miss, where that is less. K is LinearSheet's; nodes stay on their mirror planes. The tools' springs stand
+/// square to the sheet and along it. Damping in proportion to stiffness, C = tau K, acts in a step dt like a stiffness 2 C / dt, as
+/// do the tools' dashpots: the limit is the root of dt^2 omega^2(K + 2 C / dt) = 4.
 class StepLimit {
 public:
   /// `mass` of each node [kg]; `shear_modulus` bounds dN/dtheta [N/m]. All must outlive this.
   StepLimit(const Blank& blank, const Membrane& membrane, std::span<const double> mass, double shear_modulus,
             std::span<const Bending> bending = {}, const ToolSprings& springs = {});
 
-  /// The limit at a shape [s]; `near` is one that it is expected near to, the step whose damping and springs are counted first.
-  [[nodiscard]] double at(std::span<const Vec3> position, double near) const;
+  /// The limit at a shape [s]; `near` is one that it is expected near to, the step whose damping and springs are counted first:
+  /// quickest from a little below. `tools`: how many of them touch each node; one everywhere where it is empty.
+  [[nodiscard]] double at(std::span<const Vec3> position, double near, std::span<const double> tools = {}) const;
 
 private:
-  [[nodiscard]] double largest_frequency_squared(const LinearSheet& sheet, std::span<const Vec3> normals, double dt) const;
+  [[nodiscard]] double largest_frequency_squared(const LinearSheet& sheet, std::span<const Vec3> normals, std::span<const double> tools,
+                                                 double dt) const;
   void hold_on_mirrors(std::span<Vec3> v) const;
   [[nodiscard]] double product(std::span<const Vec3> a, std::span<const Vec3> b) const; // a . M b
 

@@ -70,8 +70,8 @@ void set_contacts(const Case& c, Model& model)
     contact.soft_depth = c.contact.soft_depth * c.blank.thickness;
   }
   const Contact& one = model.contacts.front();
-  model.tool_springs = {2.0 * one.stiffness_per_area, 2.0 * one.damping_per_area,
-                        2.0 * c.contact.stick * one.stiffness_per_area, 2.0 * c.contact.stick * one.damping_per_area};
+  model.tool_springs = {one.stiffness_per_area, one.damping_per_area, c.contact.stick * one.stiffness_per_area,
+                        c.contact.stick * one.damping_per_area};
 }
 
 /// Where the sheet's masses lie, and the limit of the step with them [s].
@@ -79,6 +79,14 @@ struct Placed {
   std::vector<double> factors; ///< of the nodes, on thirds of their elements' masses
   double limit;
 };
+
+/// The limit of the flat sheet between two tools [s].
+double pinched_limit(const Model& model)
+{
+  const std::vector<Vec3>& flat = model.blank.mesh.points;
+  const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
+  return limit.at(flat, wave_step(model), std::vector<double>(flat.size(), 2.0));
+}
 
 /// Makes elements heavier until the flat sheet's stable step is the one that is wanted. Heavier elements change what their neighbours'
 /// patches are given, and how far the bound is from the limit: a few rounds reach the step.
@@ -89,7 +97,7 @@ void scale_masses(const Case& c, const State& flat, const Placed& placed, Model&
   constexpr double aim = 1.001;
   for (int round = 0; round < most_rounds; ++round) {
     const StepBound bound(model.membrane, {model.element_mass, model.mass}, model.shear_modulus, model.bending);
-    model.first_look = round > 0 ? look_at_step(model, bound, flat) : StepLook{placed.limit, bound.at(flat).step};
+    model.first_look = {round > 0 ? pinched_limit(model) : placed.limit, bound.at(flat).step};
     if (model.first_look.step >= wanted) return;
     const auto factors = bound.mass_factors(flat, aim * wanted / model.first_look.over_bound());
     for (std::size_t e = 0; e < factors.size(); ++e) model.element_mass[e] *= factors[e];
@@ -112,8 +120,7 @@ Placed place(const Case& c, std::vector<double> factors, Model& model)
   model.mass = lumped(model.membrane, model.element_mass, factors);
   set_damping(c.material, flat, model);
   set_contacts(c, model);
-  const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
-  return {std::move(factors), limit.at(flat, wave_step(model))};
+  return {std::move(factors), pinched_limit(model)};
 }
 
 /// Places the masses as the case wants them, or in thirds where the sheet has weight, which hangs where its mass is and bends it
@@ -152,12 +159,6 @@ void set_inertia(const Case& c, Model& model)
   model.first_step = model.safety * model.first_look.step;
   if (c.time.subcycling)
     for (Bending& bending : model.bending) bending.interval = bending_interval(bending, model);
-}
-
-StepLook look_at_step(const Model& model, const StepBound& bound, const State& s)
-{
-  const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
-  return {limit.at(s.position, wave_step(model)), bound.at(s).step};
 }
 
 } // namespace towform

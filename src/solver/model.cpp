@@ -207,6 +207,7 @@ System at_rest(const Model& model)
   for (std::size_t i = 0; i < model.contacts.size(); ++i)
     start(model.contacts[i], s.sheet.position.size(), s.contacts[i]);
   s.boundaries.resize(model.boundaries.size());
+  s.touched.counted.assign(s.sheet.position.size(), 2.0); // as the first step does
   return s;
 }
 

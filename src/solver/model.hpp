@@ -36,7 +36,7 @@ struct Model {
   double mass_damping = 0.0;        ///< [1/s]
   double shear_modulus = 0.0;       ///< bound of dN/dtheta, for the stable step [N/m]
   double safety = 1.0;              ///< step over the stable step
-  ToolSprings tool_springs;         ///< of the two tools that may touch a node
+  ToolSprings tool_springs;         ///< of each tool that touches a node
   StepLook first_look;              ///< of the flat sheet
   double first_step = 0.0;          ///< [s]; later steps are never longer
   double temperature = 0.0;         ///< of the sheet [K]
@@ -52,6 +52,13 @@ struct Model {
   }
 };
 
+/// How many tools each node is taken to touch in the stable step.
+struct TouchedTools {
+  std::vector<double> counted; ///< n
+  int rings = 0;               ///< of nodes that are counted with those that touch two tools or more
+  bool more = false;           ///< one touches more than are counted of it: the step is to be looked at
+};
+
 /// All that changes while it runs.
 struct System {
   State sheet;
@@ -60,6 +67,7 @@ struct System {
   std::vector<ToolState> tools;
   std::vector<ContactState> contacts;
   std::vector<BoundaryState> boundaries;
+  TouchedTools touched;
   double fastest = 0.0; ///< bound of the nodes' speeds over the last step [m/s]
 };
 
@@ -67,9 +75,6 @@ struct System {
 /// unreadable meshes, constituents out of range, a blank that starts inside a tool or that no tool can meet,
 /// a picture frame opened too far.
 Model build_model(const Case& c);
-
-/// Measures the sheet's stable step: as long as some forty steps.
-StepLook look_at_step(const Model& model, const StepBound& bound, const State& s);
 
 /// The system at rest at time 0, its forces not yet known.
 System at_rest(const Model& model);

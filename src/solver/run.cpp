@@ -10,6 +10,7 @@
 #include "solver/session_run.hpp"
 #include "solver/statics_run.hpp"
 #include "solver/step.hpp"
+#include "solver/step_look.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -18,27 +19,6 @@
 namespace towform {
 
 namespace {
-
-/// The present stable step, never longer than the first; `element` gets one of those that set it. It follows the bound, which is
-/// quickly found; how far the limit lies above that is measured again once the bound has moved on.
-double present_step(const Model& model, const StepBound& bound, const System& s, StepLook& last,
-                    std::optional<int>& element)
-{
-  constexpr double moved = 0.03;
-  const StableStep stable = bound.at(s.sheet);
-  element = stable.element;
-  if (!(std::abs(stable.step - last.bound) < moved * last.bound)) last = look_at_step(model, bound, s.sheet);
-  const double step = std::min(model.first_step, model.safety * last.over_bound() * stable.step);
-  constexpr double collapse = 0.05;
-  if (!(step > collapse * model.first_step))
-    throw RunStopped(
-        ExitCode::stability_gate,
-        fmt::format(
-            "stopped at t = {:.6g} ms, step {}: the stable step fell from {:.3g} to {:.3g} s at element {}, "
-            "which has collapsed",
-            1e3 * s.sheet.time, s.sheet.step, model.first_step, step, stable.element));
-  return step;
-}
 
 constexpr std::int64_t steps_between_looks = 100; ///< at the stable step
 
@@ -134,13 +114,17 @@ private:
         check_motion(model_, s);
         recorder_->watch(s, stride.dt);
         if (--stride.steps_left == 0 && stride.arrives) s.sheet.time = time;
+        if (s.touched.more && stride.steps_left > 0) stride = {}; // the step may be too long
         if (session_.stops_after(s.sheet.step, s.sheet.time)) return false;
       }
       session_.progress().update(progress());
       if (stride.arrives) return true;
       KnownStep& known = run_.known;
-      if (known.at < 0 || s.sheet.step - known.at >= steps_between_looks)
-        known = {present_step(model_, bound_, s, run_.look, limiting_), s.sheet.step};
+      if (known.at < 0 || s.sheet.step - known.at >= steps_between_looks || s.touched.more) {
+        const PresentStep present = look_at_step(model_, bound_, s, run_.look);
+        known = {present.step, s.sheet.step};
+        limiting_ = present.element;
+      }
       stride = next_stride(time, known.step, model_.safety, s.sheet.time, known.at + steps_between_looks - s.sheet.step);
       run_.phases.mark(Phase::stable_step);
     }

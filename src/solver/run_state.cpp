@@ -99,13 +99,17 @@ void visit(FieldVisitor& v, BoundaryState& s)
 
 void visit(FieldVisitor& v, System& s)
 {
-  auto& [sheet, bending, pressure, tools, contacts, boundaries, fastest] = s;
+  auto& [sheet, bending, pressure, tools, contacts, boundaries, touched, fastest] = s;
+  auto& [counted, rings, more] = touched;
   visit_part(v, "sheet", sheet);
   visit_list(v, "bending", bending);
   visit_list(v, "pressure", pressure);
   visit_list(v, "tool", tools);
   visit_list(v, "contact", contacts);
   visit_list(v, "boundary", boundaries);
+  v("touched.counted", counted);
+  v("touched.rings", rings);
+  v("touched.more", more);
   v("fastest", fastest);
 }
 

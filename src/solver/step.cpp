@@ -75,8 +75,8 @@ void evaluate_forces(const Model& model, System& s, double dt, Phases& phases)
   for (const Gravity& gravity : model.gravity) gravity.add(s.sheet.force);
   for (std::size_t i = 0; i < model.pressure.size(); ++i)
     pressure_forces(model.pressure[i], model.membrane, s.pressure[i], s.sheet);
-  contact_forces(model.contacts, model.tools, s.tools, s.contacts, model.membrane.node_area, s.sheet, dt,
-                 s.fastest * dt);
+  s.touched.more = contact_forces(model.contacts, model.tools, s.tools, s.contacts, model.membrane.node_area, s.touched.counted,
+                                  s.sheet, dt, s.fastest * dt);
   for (ToolState& tool : s.tools) {
     tool.reaction *= model.mirror_factor;
     tool.stiffness *= model.mirror_factor;

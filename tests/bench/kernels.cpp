@@ -112,7 +112,7 @@ void contact(benchmark::State& run)
     }
   };
   const auto meet = [&] {
-    contact_forces({&pressed, 1}, {&ball, 1}, {&tool_state, 1}, {&state, 1}, area, s, dt, 0.51 * dt);
+    contact_forces({&pressed, 1}, {&ball, 1}, {&tool_state, 1}, {&state, 1}, area, {}, s, dt, 0.51 * dt);
     benchmark::DoNotOptimize(s.force.data());
   };
   slide();

@@ -286,5 +286,34 @@ TEST(Tool, AForcedToolAcceleratesAndItsWorkIsAccounted)
   EXPECT_NEAR(s.work, -35.0 * s.displacement, 1e-12);
 }
 
+TEST(Contact, TellsOfNodesThatTouchMoreToolsThanAreCountedOfThem)
+{
+  for (const double lid_at : {0.8e-3, 1.2e-3}) {
+    const auto plate = [](double low, double high) { return ToolSurface(test::box({-0.01, -0.01, low}, {0.01, 0.01, high})); };
+    const Tool tools[] = {{"floor", plate(-0.01, 0.0), 0.0, {}, {}, {0, 0, 1}, 0.0},
+                          {"lid", plate(lid_at, lid_at + 0.01), 0.0, {}, {}, {0, 0, 1}, 0.0}};
+    std::vector<Contact> contacts;
+    std::vector<ContactState> states(2);
+    for (int i = 0; i < 2; ++i) {
+      contacts.emplace_back(tools[i], i, half, 0.1, 0.0, mass_per_area, dt);
+      start(contacts.back(), 2, states[static_cast<std::size_t>(i)]);
+    }
+    State s;
+    s.position = {{0.0, 0.0, 0.4e-3}, {0.001, 0.0, 0.6e-3}}; // the other on neither, or on the lid
+    s.velocity.assign(2, {});
+    s.force.assign(2, {});
+    ToolState tool_states[2];
+    const std::vector<double> areas(2, area);
+    const auto asks = [&](const std::vector<double>& counted) {
+      return contact_forces(contacts, tools, tool_states, states, areas, counted, s, dt, HUGE_VAL);
+    };
+    const bool pinched = lid_at < 1e-3;
+    EXPECT_EQ(asks({1.0, 1.0}), pinched);
+    EXPECT_EQ(asks({1.0, 2.0}), pinched);
+    EXPECT_FALSE(asks({2.0, 1.0}));
+    EXPECT_FALSE(asks({}));
+  }
+}
+
 } // namespace
 } // namespace towform

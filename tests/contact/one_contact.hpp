@@ -9,7 +9,7 @@ inline void contact_forces(const Contact& contact, const Tool& tool, ToolState& 
                            double area, State& s, double dt, double moved = HUGE_VAL)
 {
   const std::vector<double> areas(s.position.size(), area);
-  towform::contact_forces({&contact, 1}, {&tool, 1}, {&tool_state, 1}, {&state, 1}, areas, s, dt, moved);
+  towform::contact_forces({&contact, 1}, {&tool, 1}, {&tool_state, 1}, {&state, 1}, areas, {}, s, dt, moved);
 }
 
 } // namespace towform::test

@@ -59,7 +59,7 @@ TEST(RunState, EveryMemberIsVisited)
   system.tools.resize(2);
   system.contacts.resize(2);
   system.boundaries.resize(3);
-  const std::size_t whole = 1 + visited<State>() + visited<BendingState>() + 2 * visited<ToolState>() +
+  const std::size_t whole = 1 + member_count<TouchedTools>() + visited<State>() + visited<BendingState>() + 2 * visited<ToolState>() +
                             2 * visited<ContactState>() + 3 * visited<BoundaryState>();
   EXPECT_EQ(visited(system), whole);
   EXPECT_EQ(visited<RunState>(), visited<System>() + member_count<StepLook>() + member_count<KnownStep>() +
