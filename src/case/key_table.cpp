@@ -182,7 +182,7 @@ std::vector<Row> all_rows()
     {"gates.yarn_strain", AT(c.gates.yarn_strain), D::none, "0.05", "> 0", "99th percentile of the yarns' strain"},
 
     {"output.frames", AT(c.output.frames), D::none, "30", "1 .. 100000", "in results.h5 after the initial one"},
-    {"output.history", AT(c.output.history), D::none, "200", "1 .. 1000000", "rows of history.csv after the initial one"},
+    {"output.history", AT(c.output.history), D::none, "200", "1 .. 1000000", "rows of history.csv after the initial one, evenly over the run: of an explicit one at the steps nearest to their times where these are many"},
     {"output.checkpoint", AT(c.output.checkpoint), D::time, "5 min", ">= 0", "wall time between checkpoints; 0: only when the run is interrupted"},
     {"output.report", AT(c.output.report), D::none, "true", "", "write report.html when the run ends"},
 

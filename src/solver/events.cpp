@@ -21,6 +21,11 @@ std::vector<Event> events_of(const Case& c)
     }
     merged.push_back(e);
   }
+  double aim = 0.0;
+  for (auto event = merged.rbegin(); event != merged.rend(); ++event) {
+    if (event->frame || event == merged.rbegin()) aim = event->time;
+    event->aim = aim;
+  }
   return merged;
 }
 

@@ -8,6 +8,7 @@ namespace towform {
 struct Event {
   double time;
   bool history, frame;
+  double aim = 0.0; ///< time of the next frame, or of the last event
 };
 
 /// In the order of their time; a frame always has its row.

@@ -89,7 +89,8 @@ private:
 
   void written() override
   {
-    run_.stride = {};
+    run_.last_output = run_.system.sheet.step;
+    if (run_.stride.steps_left == 0) run_.stride = {};
     run_.phases.mark(Phase::output);
   }
 
@@ -104,16 +105,34 @@ private:
     return stepping;
   }
 
-  bool advance_to(double time) override
+  /// Whether there are so many steps between outputs that those on the way to a frame need no step of their own.
+  [[nodiscard]] bool outputs_leave_room() const
+  {
+    constexpr double fewest_steps = 8.0;
+    return case_.time.end > fewest_steps * (case_.output.history + case_.output.frames) * model_.first_step;
+  }
+  /// Whether no step on the way is nearer to an output, of which each has a step for itself.
+  [[nodiscard]] bool is_near(double time) const
+  {
+    const State& sheet = run_.system.sheet;
+    const Stride& stride = run_.stride;
+    if (sheet.step <= run_.last_output) return false;
+    return sheet.time + 0.5 * stride.dt >= time || (stride.steps_left == 1 && stride.arrives);
+  }
+
+  bool advance_to(double time, double aim) override
   {
     System& s = run_.system;
     Stride& stride = run_.stride;
+    const bool on_the_way = time < aim && outputs_leave_room();
+    const double goal = on_the_way ? aim : time;
     while (true) {
       while (stride.steps_left > 0) {
+        if (on_the_way && is_near(time)) return true;
         step(model_, s, stride.dt, run_.phases);
         check_motion(model_, s);
         recorder_->watch(s, stride.dt);
-        if (--stride.steps_left == 0 && stride.arrives) s.sheet.time = time;
+        if (--stride.steps_left == 0 && stride.arrives) s.sheet.time = goal;
         if (s.touched.more && stride.steps_left > 0) stride = {}; // the step may be too long
         if (session_.stops_after(s.sheet.step, s.sheet.time)) return false;
       }
@@ -125,7 +144,7 @@ private:
         known = {present.step, s.sheet.step};
         limiting_ = present.element;
       }
-      stride = next_stride(time, known.step, model_.safety, s.sheet.time, known.at + steps_between_looks - s.sheet.step);
+      stride = next_stride(goal, known.step, model_.safety, s.sheet.time, known.at + steps_between_looks - s.sheet.step);
       run_.phases.mark(Phase::stable_step);
     }
   }

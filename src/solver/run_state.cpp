@@ -186,7 +186,7 @@ void visit(FieldVisitor& v, Record& s)
 
 void visit(FieldVisitor& v, RunState& s)
 {
-  auto& [system, look, known, stride, event, record, phases] = s;
+  auto& [system, look, known, stride, event, last_output, record, phases] = s;
   auto& [measured, bound] = look;
   auto& [known_step, known_at] = known;
   auto& [dt, steps_left, arrives] = stride;
@@ -199,6 +199,7 @@ void visit(FieldVisitor& v, RunState& s)
   v("stride.steps_left", steps_left);
   v("stride.arrives", arrives);
   v("event", event);
+  v("last_output", last_output);
   visit_part(v, "record", record);
   v("phases", phases.all());
 }

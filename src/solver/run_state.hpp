@@ -36,7 +36,8 @@ struct RunState {
   StepLook look; ///< when the stable step was last measured
   KnownStep known;
   Stride stride;
-  std::int64_t event = 0; ///< the next output of the case, from 0
+  std::int64_t event = 0;       ///< the next output of the case, from 0
+  std::int64_t last_output = 0; ///< the step of the last
   Record record;
   Phases phases;
 };

@@ -58,7 +58,7 @@ bool SessionRun::all_events()
   const std::vector<Event> events = events_of(case_);
   for (; *event_ < static_cast<std::int64_t>(events.size()); ++*event_) {
     const Event& event = events[static_cast<std::size_t>(*event_)];
-    if (!advance_to(event.time)) return false;
+    if (!advance_to(event.time, event.aim)) return false;
     output(event.frame);
   }
   return true;

@@ -24,8 +24,9 @@ protected:
   [[nodiscard]] virtual ProgressState progress() const = 0;
   [[nodiscard]] virtual std::string headline() const = 0;
   [[nodiscard]] virtual std::string closing() const = 0;
-  /// Steps up to the time of an output; false when the session is to stop.
-  virtual bool advance_to(double time) = 0;
+  /// Steps up to the time of an output, or near it where that is before `aim`, to which steps are laid; false when the session is to
+  /// stop.
+  virtual bool advance_to(double time, double aim) = 0;
   virtual void write_history() = 0;
   virtual void write_frame() = 0;
   virtual void write_last_frame() = 0;

@@ -82,7 +82,7 @@ private:
     return run_.stepping;
   }
 
-  bool advance_to(double time) override
+  bool advance_to(double time, double) override
   {
     Clock::time_point before = Clock::now();
     try {
