@@ -30,11 +30,24 @@ bool is_symmetric(const MirroredSheet& sheet, const std::vector<int>& patch)
   });
 }
 
+using Polynomials = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+using Square = Eigen::Matrix<double, 6, 6>;
+
+/// Whether the smallest over the largest singular value of a triangular matrix is as large.
+bool is_conditioned(const Square& r, double condition)
+{
+  if (!((r.diagonal().array() != 0.0).all())) return false;
+  const Square inverse = r.triangularView<Eigen::Upper>().solve(Square::Identity());
+  if (condition * r.norm() * inverse.norm() <= 1.0) return true; // which mostly settles it
+  const Eigen::JacobiSVD<Square> svd(r);
+  return svd.singularValues()[5] >= condition * svd.singularValues()[0];
+}
+
 QuadraticFit fit(const MirroredSheet& sheet, const std::vector<int>& patch, double condition)
 {
   const auto count = static_cast<Eigen::Index>(patch.size());
   const double h = radius_of(sheet, patch);
-  Eigen::MatrixXd polynomials(count, 6);
+  Polynomials polynomials(count, 6);
   Eigen::VectorXd weight(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Vec3 d = (1.0 / h) * (sheet.points[patch[i]] - sheet.points[patch.front()]);
@@ -44,11 +57,13 @@ QuadraticFit fit(const MirroredSheet& sheet, const std::vector<int>& patch, doub
     weight[i] = 1.0 / (distance * distance);
     polynomials.row(i) << 1.0, d.x, d.y, 0.5 * d.x * d.x, d.x * d.y, 0.5 * d.y * d.y;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(weight.asDiagonal() * polynomials,
-                                              Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd& values = svd.singularValues();
-  if (count < 6 || values[5] < condition * values[0]) return {};
-  const Eigen::MatrixXd weights = svd.solve(Eigen::MatrixXd(weight.asDiagonal()));
+  if (count < 6) return {};
+  const Eigen::HouseholderQR<Polynomials> qr(weight.asDiagonal() * polynomials);
+  const Square r = qr.matrixQR().topRows<6>().triangularView<Eigen::Upper>();
+  if (!is_conditioned(r, condition)) return {};
+  Eigen::MatrixXd weights = weight.asDiagonal();
+  weights.applyOnTheLeft(qr.householderQ().transpose());
+  weights = r.triangularView<Eigen::Upper>().solve(weights.topRows<6>()).eval();
   QuadraticFit result{patch, {}, h};
   for (Eigen::Index i = 0; i < count; ++i)
     result.weights.push_back({weights(1, i) / h, weights(2, i) / h, weights(3, i) / (h * h),

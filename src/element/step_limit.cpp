@@ -9,16 +9,9 @@ namespace towform {
 
 namespace {
 
-constexpr int most_vectors = 80;
+constexpr int most_vectors = 80, few_vectors = 15;
 constexpr int vectors_between_looks = 5; ///< at how near they are
 constexpr double close_enough = 0.005;   ///< what may be left, over the eigenvalue
-
-void scale(std::span<Vec3> v, double by)
-{
-  parallel_ranges(static_cast<std::ptrdiff_t>(v.size()), [&](auto begin, auto end) {
-    for (auto n = begin; n < end; ++n) v[n] *= by;
-  });
-}
 
 /// The same every time for a mesh.
 std::vector<Vec3> random_signs(std::size_t nodes)
@@ -73,47 +66,49 @@ void StepLimit::hold_on_mirrors(std::span<Vec3> v) const
   for (const int n : blank_.mirror_y) v[n].y = 0.0;
 }
 
-double StepLimit::product(std::span<const Vec3> a, std::span<const Vec3> b) const
-{
-  return parallel_sum(a.size(), [&](std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t n = begin; n < end; ++n) sum += mass_[n] * dot(a[n], b[n]);
-    return sum;
-  });
-}
-
-double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<const Vec3> normals, std::span<const double> tools,
-                                            double dt) const
+StepLimit::Found StepLimit::largest_frequency_squared(const LinearSheet& sheet, const Surroundings& around, double dt,
+                                                      int vectors) const
 {
   const double along = springs_.along + 2.0 * springs_.along_damping / dt;
   const double more = springs_.normal + 2.0 * springs_.normal_damping / dt - along;
   const std::size_t nodes = mass_.size();
   const std::span<const double> area = membrane_.node_area;
+  const auto& [normals, tools] = around;
   std::vector<Vec3> now = random_signs(nodes), before(nodes); // displacements, whose products count masses
   hold_on_mirrors(now);
   std::vector<double> diagonal, beside;
   LinearForces work;
-  double result = 0.0, size = std::sqrt(product(now, now));
-  while (static_cast<int>(diagonal.size()) < most_vectors) {
-    scale(now, 1.0 / size);
+  Found result;
+  double squared = 0.0;
+  for (std::size_t n = 0; n < nodes; ++n) squared += mass_[n] * norm_squared(now[n]);
+  double size = std::sqrt(squared);
+  while (static_cast<int>(diagonal.size()) < vectors) {
     linear_forces(sheet, now, work);
     std::vector<Vec3>& next = work.force; // M^-1 K of now
-    parallel_ranges(static_cast<std::ptrdiff_t>(nodes), [&](auto begin, auto end) {
-      for (auto n = begin; n < end; ++n) {
+    diagonal.push_back(parallel_sum(nodes, [&](std::size_t begin, std::size_t end) {
+      double sum = 0.0;
+      for (std::size_t n = begin; n < end; ++n) {
+        now[n] *= 1.0 / size;
         const Vec3 springs = along * now[n] + more * dot(normals[n], now[n]) * normals[n];
         const double touched = tools.empty() ? area[n] : tools[n] * area[n];
-        next[n] = (1.0 / mass_[n]) * (touched * springs - next[n]);
+        const Vec3 force = touched * springs - (1.0 / size) * next[n];
+        sum += dot(now[n], force);
+        next[n] = (1.0 / mass_[n]) * force;
       }
-    });
+      return sum;
+    }));
     hold_on_mirrors(next);
-    diagonal.push_back(product(now, next));
     const double back = beside.empty() ? 0.0 : beside.back(), own = diagonal.back();
-    parallel_ranges(static_cast<std::ptrdiff_t>(nodes), [&](auto begin, auto end) {
-      for (auto n = begin; n < end; ++n) next[n] -= own * now[n] + back * before[n];
-    });
-    const double left = std::sqrt(product(next, next));
+    const double left = std::sqrt(parallel_sum(nodes, [&](std::size_t begin, std::size_t end) {
+      double sum = 0.0;
+      for (std::size_t n = begin; n < end; ++n) {
+        next[n] -= own * now[n] + back * before[n];
+        sum += mass_[n] * norm_squared(next[n]);
+      }
+      return sum;
+    }));
 
-    const bool last = static_cast<int>(diagonal.size()) == most_vectors;
+    const bool last = static_cast<int>(diagonal.size()) == vectors;
     if (last || diagonal.size() % vectors_between_looks == 0 || !(left > 0.0)) {
       const auto count = static_cast<Eigen::Index>(diagonal.size());
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> small;
@@ -122,7 +117,7 @@ double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<
       const double largest = small.eigenvalues()(count - 1);
       const double residual = left * std::abs(small.eigenvectors()(count - 1, count - 1));
       const double missing = missing_share(3 * nodes, diagonal.size());
-      result = std::min(largest + residual, missing < 1.0 ? largest / (1.0 - missing) : HUGE_VAL);
+      result = {largest, std::min(largest + residual, missing < 1.0 ? largest / (1.0 - missing) : HUGE_VAL)};
       if (residual <= close_enough * largest) break;
     }
     beside.push_back(left);
@@ -133,22 +128,25 @@ double StepLimit::largest_frequency_squared(const LinearSheet& sheet, std::span<
   return result;
 }
 
-double StepLimit::at(std::span<const Vec3> position, double near, std::span<const double> tools) const
+double StepLimit::at(std::span<const Vec3> position, std::span<const double> tools, double near) const
 {
   LinearSheet sheet{membrane_, bending_, shear_modulus_, position};
-  const std::vector<Vec3> normals = node_normals(membrane_.triangles, position);
-  double limit = near;
-  const bool damped = membrane_.damping_time > 0.0 || bending_damping_time_ > 0.0 || springs_.normal_damping > 0.0;
-  constexpr int rounds = 2; // damping and springs change little with the step
-  for (int round = 0; round < rounds; ++round) {
-    const double counted_at = limit;
+  const Surroundings around{node_normals(membrane_.triangles, position), tools};
+  const auto squared = [&](double counted_at, int vectors) {
     sheet.yarn_factor = 1.0 + 2.0 * membrane_.damping_time / counted_at;
     sheet.bending_factor = 1.0 + 2.0 * bending_damping_time_ / counted_at;
-    limit = 2.0 / std::sqrt(largest_frequency_squared(sheet, normals, tools, counted_at));
-    constexpr double little = 0.05;
-    const bool on_safe_side = counted_at <= limit && limit < (1.0 + little) * counted_at; // a shorter step's damping weighs more
-    if (!damped || on_safe_side) break;
+    return largest_frequency_squared(sheet, around, counted_at, vectors);
+  };
+  const bool damped = membrane_.damping_time > 0.0 || bending_damping_time_ > 0.0 || springs_.normal_damping > 0.0;
+  constexpr double a_little_less = 0.97, little = 1.1;
+  double counted_at = near;
+  if (!(near > 0.0)) { // without damping first, roughly
+    const double omega = damped ? std::sqrt(squared(HUGE_VAL, few_vectors).least) : 0.0, xi = 0.5 * membrane_.damping_time * omega;
+    counted_at = damped ? a_little_less * 2.0 / omega * (std::sqrt(1.0 + xi * xi) - xi) : HUGE_VAL;
   }
+  double limit = 2.0 / std::sqrt(squared(counted_at, most_vectors).most);
+  const bool on_safe_side = counted_at <= limit && limit < little * counted_at; // a shorter step's damping weighs more
+  if (damped && !on_safe_side) limit = 2.0 / std::sqrt(squared(a_little_less * limit, most_vectors).most);
   return limit;
 }
 

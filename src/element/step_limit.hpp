@@ -22,15 +22,21 @@ public:
   StepLimit(const Blank& blank, const Membrane& membrane, std::span<const double> mass, double shear_modulus,
             std::span<const Bending> bending = {}, const ToolSprings& springs = {});
 
-  /// The limit at a shape [s]; `near` is one that it is expected near to, the step whose damping and springs are counted first:
-  /// quickest from a little below. `tools`: how many of them touch each node; one everywhere where it is empty.
-  [[nodiscard]] double at(std::span<const Vec3> position, double near, std::span<const double> tools = {}) const;
+  /// The limit at a shape [s]. `tools`: how many of them touch each node; one everywhere where it is empty. `near`: a step at
+  /// which damping is to be counted, quickest a little below the limit; 0 where none is known.
+  [[nodiscard]] double at(std::span<const Vec3> position, std::span<const double> tools = {}, double near = 0.0) const;
 
 private:
-  [[nodiscard]] double largest_frequency_squared(const LinearSheet& sheet, std::span<const Vec3> normals, std::span<const double> tools,
-                                                 double dt) const;
+  struct Surroundings {
+    std::vector<Vec3> normals;     ///< n, of the sheet
+    std::span<const double> tools; ///< n or none
+  };
+  /// Bounds of omega^2 [1/s^2].
+  struct Found {
+    double least = 0.0, most = 0.0;
+  };
+  [[nodiscard]] Found largest_frequency_squared(const LinearSheet& sheet, const Surroundings& around, double dt, int vectors) const;
   void hold_on_mirrors(std::span<Vec3> v) const;
-  [[nodiscard]] double product(std::span<const Vec3> a, std::span<const Vec3> b) const; // a . M b
 
   const Blank& blank_;
   const Membrane& membrane_;

@@ -11,7 +11,7 @@ namespace towform {
 
 namespace {
 // Gauss-Legendre points and weights of order 10 on [0, 1].
-constexpr int points = 10;
+constexpr int points = ShearResistance::film_points;
 constexpr std::array<double, points> gauss_x{
     0.013046735741414128, 0.06746831665550773, 0.16029521585048778, 0.2833023029353764, 0.4255628305091844,
     0.5744371694908156,   0.7166976970646236,  0.8397047841495122,  0.9325316833444923, 0.9869532642585859};
@@ -42,6 +42,7 @@ ShearResistance::ShearResistance(const Constituents& c, double thickness, double
         tow_fraction_, tow_fraction_ / (closeness_ * closeness_)));
   film_ = c.fibre_diameter * (1.0 / closeness_ - 1.0);
   ratios_ = tow_viscosity_ratios(tow_fraction_, c.tow_viscosity, c.fibre_packing);
+  for (std::size_t i = 0; i < gauss_x.size(); ++i) raised_x_[i] = matrix_.raised(gauss_x[i]);
 }
 
 double ShearResistance::crossover_power(double theta, double rate, double tow_rate) const
@@ -57,9 +58,10 @@ double ShearResistance::crossover_power(double theta, double rate, double tow_ra
   for (int i = 0; i < points; ++i) {
     const double v = std::abs(tow_rate - rate) *
                      std::hypot(along * b * gauss_x[i], across * a * (1.0 - gauss_x[i])); // |v| at rho = 1
+    const double raised_rate = matrix_.raised_rate(v / film_);
     for (int j = 0; j < points; ++j) {
-      const double film_rate = v * gauss_x[j] / film_;
-      power += gauss_w[i] * gauss_w[j] * gauss_x[j] * matrix_.viscosity(film_rate) * film_rate * film_rate;
+      const double film_rate = v * gauss_x[j] / film_, viscosity = matrix_.viscosity_raised(raised_x_[j] * raised_rate);
+      power += gauss_w[i] * gauss_w[j] * gauss_x[j] * viscosity * film_rate * film_rate;
     }
   }
   return 4.0 * a * b * film_ * power;

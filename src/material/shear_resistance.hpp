@@ -2,6 +2,7 @@
 #include "material/tow.hpp"
 #include "material/viscosity.hpp"
 #include "towform/energy_model.hpp"
+#include <array>
 
 namespace towform {
 
@@ -15,6 +16,7 @@ namespace towform {
 /// rate in rad/s, > 0.
 class ShearResistance {
 public:
+  static constexpr int film_points = 10; ///< each way, at which a crossover's film is integrated
   static constexpr double max_angle = 85.0 * 3.14159265358979323846 / 180.0;
 
   /// Where the power goes, each as its share of the shear force [N/m].
@@ -56,6 +58,7 @@ private:
   double closeness_;             // kappa
   double film_;                  // t_f [m]
   TowViscosityRatios ratios_;
+  std::array<double, film_points> raised_x_{}; // of the points, as the matrix counts rates
 };
 
 } // namespace towform

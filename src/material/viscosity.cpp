@@ -56,6 +56,7 @@ IsothermalMatrix::IsothermalMatrix(const MatrixViscosity& m, double temperature)
   time_constant_ = m.time_constant * shift;
   if (model_ == MatrixModel::table) {
     check_points(m.points);
+    time_constant_ = 1.0;
     for (const ViscosityPoint& p : m.points)
       points_.push_back({std::log(p.rate / shift), std::log(p.viscosity * shift)});
     return;
@@ -68,16 +69,29 @@ IsothermalMatrix::IsothermalMatrix(const MatrixViscosity& m, double temperature)
     require(m.transition > 0.0, "matrix.transition", "be positive", m.transition);
 }
 
-double IsothermalMatrix::viscosity(double rate) const
+double IsothermalMatrix::raised(double factor) const
 {
-  const double x = time_constant_ * rate;
   switch (model_) {
   case MatrixModel::cross:
-    return zero_shear_viscosity_ / (1.0 + std::pow(x, 1.0 - exponent_));
-  case MatrixModel::carreau_yasuda:
-    return zero_shear_viscosity_ * std::pow(1.0 + std::pow(x, transition_), (exponent_ - 1.0) / transition_);
   case MatrixModel::power_law:
-    return x <= 1.0 ? zero_shear_viscosity_ : zero_shear_viscosity_ * std::pow(x, exponent_ - 1.0);
+    return std::pow(factor, 1.0 - exponent_);
+  case MatrixModel::carreau_yasuda:
+    return std::pow(factor, transition_);
+  case MatrixModel::table:
+    break;
+  }
+  return factor;
+}
+
+double IsothermalMatrix::viscosity_raised(double rate) const
+{
+  switch (model_) {
+  case MatrixModel::cross:
+    return zero_shear_viscosity_ / (1.0 + rate);
+  case MatrixModel::carreau_yasuda:
+    return zero_shear_viscosity_ * std::pow(1.0 + rate, (exponent_ - 1.0) / transition_);
+  case MatrixModel::power_law:
+    return zero_shear_viscosity_ / std::max(1.0, rate);
   case MatrixModel::table:
     return tabulated(rate);
   }

@@ -12,13 +12,19 @@ public:
   /// T in K. Throws std::domain_error naming the parameter that is out of range.
   IsothermalMatrix(const MatrixViscosity& matrix, double temperature);
 
-  [[nodiscard]] double viscosity(double rate) const;
+  [[nodiscard]] double viscosity(double rate) const { return viscosity_raised(raised(time_constant_ * rate)); }
+
+  /// For the products of some rates with some factors: eta(factor rate) is viscosity_raised(raised(factor) raised_rate(rate)), and
+  /// raising is what takes time.
+  [[nodiscard]] double raised(double factor) const;
+  [[nodiscard]] double raised_rate(double rate) const { return raised(time_constant_ * rate); }
+  [[nodiscard]] double viscosity_raised(double rate) const;
 
 private:
   [[nodiscard]] double tabulated(double rate) const;
 
   MatrixModel model_;
-  double zero_shear_viscosity_, time_constant_, exponent_, transition_; // eta0 and lambda shifted
+  double zero_shear_viscosity_, time_constant_, exponent_, transition_; // eta0 and lambda shifted; lambda 1 for a table
   struct LogPoint {
     double rate, viscosity;
   };

@@ -32,21 +32,13 @@ double fastest_bending(const Bending& bending, std::span<const double> mass)
 /// Damping times from what is critical for the fastest waves, of the sheet before selective mass scaling.
 void set_damping(const MaterialParameters& material, std::span<const Vec3> flat, Model& model)
 {
-  constexpr double near = 1e-6; // any: without damping
   model.membrane.damping_time = 0.0;
   if (material.yarn_damping > 0.0)
     model.membrane.damping_time =
         material.yarn_damping *
-        StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus).at(flat, near);
+        StepLimit(model.blank, model.membrane, model.mass, model.shear_modulus).at(flat);
   for (Bending& bending : model.bending)
     bending.damping_time = material.bending_damping * 2.0 / fastest_bending(bending, model.mass);
-}
-
-/// A wave's time over an element: unlike the bound, the same for a quarter as for the whole.
-double wave_step(const Model& model)
-{
-  const double lightest = *std::min_element(model.element_mass.begin(), model.element_mass.end());
-  return std::sqrt(2.0 * lightest / model.membrane.yarn.stiffness);
 }
 
 /// Contact with the stiffness that it has at the step, with tools, of a sheet whose masses lie in thirds: that they lie otherwise for
@@ -58,7 +50,7 @@ void set_contacts(const Case& c, Model& model)
   const std::vector<double> thirds = lumped(membrane, model.element_mass, std::vector<double>(membrane.node_area.size(), 1.0));
   const StepLimit limit(model.blank, membrane, thirds, model.shear_modulus, model.bending);
   const double beside_tools = std::sqrt(1.0 - 0.25 * c.contact.stick * c.contact.two_tools());
-  const double step = std::max(model.safety, 0.5) * beside_tools * limit.at(model.blank.mesh.points, wave_step(model));
+  const double step = std::max(model.safety, 0.5) * beside_tools * limit.at(model.blank.mesh.points);
   const double mass_per_area = c.material.constituents.density * c.blank.thickness * c.time.mass_scaling;
   model.contacts.clear();
   for (std::size_t i = 0; i < model.tools.size(); ++i) {
@@ -85,7 +77,7 @@ double pinched_limit(const Model& model)
 {
   const std::vector<Vec3>& flat = model.blank.mesh.points;
   const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
-  return limit.at(flat, wave_step(model), std::vector<double>(flat.size(), 2.0));
+  return limit.at(flat, std::vector<double>(flat.size(), 2.0));
 }
 
 /// Makes elements heavier until the flat sheet's stable step is the one that is wanted. Heavier elements change what their neighbours'

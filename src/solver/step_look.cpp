@@ -40,7 +40,7 @@ void count_tools(const Model& model, System& s)
 StepLook measured(const Model& model, const System& s, double bound, double near)
 {
   const StepLimit limit(model.blank, model.membrane, model.mass, model.shear_modulus, model.bending, model.tool_springs);
-  return {limit.at(s.sheet.position, near, s.touched.counted), bound};
+  return {limit.at(s.sheet.position, s.touched.counted, near), bound};
 }
 
 } // namespace

@@ -32,7 +32,7 @@ protected:
   [[nodiscard]] double limit(double tools) const
   {
     const StepLimit its(model.blank, model.membrane, model.mass, model.shear_modulus, {}, model.tool_springs);
-    return its.at(s.sheet.position, 0.98 * last.step, std::vector<double>(model.mass.size(), tools));
+    return its.at(s.sheet.position, std::vector<double>(model.mass.size(), tools));
   }
 
   Model model;
