@@ -13,8 +13,8 @@ namespace towform {
 /// goes on beyond the run, its elements there ("guests", whose yarns alone are of interest). Forces are
 /// summed by block (BlockSlots).
 struct ElementBlocks {
-  static constexpr int own_most = 900; ///< elements of a block
-  static constexpr int capacity = 1152; ///< places of a block, for own elements and guests
+  static constexpr int own_most = 1800; ///< elements of a block
+  static constexpr int capacity = 2304; ///< places of a block, for own elements and guests
   static constexpr int stride = capacity + 24; ///< from warp to weft: arrays that far apart do not share a cache's sets
 
   /// Numbers of what belongs to a block in the arrays below.

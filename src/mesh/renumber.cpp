@@ -57,7 +57,10 @@ void put_in_order(std::span<const int> shape, std::span<int> elements)
 
 MeshTiles renumber(SurfaceMesh& mesh)
 {
-  constexpr int tile_points = 420; // and twice as many triangles
+  // A tile has twice as many triangles as points: of a small sheet few, so that there are enough tiles for several threads, and no more
+  // than a cache holds of any other. The larger the tiles, the fewer strips of yarn cross their borders.
+  constexpr int fewest_points = 420, most_points = 850, tiles_wanted = 16;
+  const int tile_points = std::clamp(static_cast<int>(mesh.points.size()) / tiles_wanted, fewest_points, most_points);
   std::vector<Vec2> flat;
   flat.reserve(mesh.points.size());
   for (const Vec3& p : mesh.points) flat.push_back({p.x, p.y});
