@@ -1,4 +1,5 @@
 #include "hemisphere_case.hpp"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -26,7 +27,15 @@ protected:
 
 TEST_F(LastDigit, DoesNotDecideHowASheetIsFormed)
 {
-  const double soft = apart({}), stiff = apart({"contact.soft=1"});
+  // Whether a node just grazes a tool at some step is chance: the middle one of several steps tells.
+  const auto mostly = [&](const char* soft) {
+    std::vector<double> of_steps;
+    for (const char* safety : {"0.97", "0.95", "0.9", "0.85", "0.8"})
+      of_steps.push_back(apart({std::string("contact.soft=") + soft, std::string("time.safety=") + safety}));
+    std::nth_element(of_steps.begin(), of_steps.begin() + 2, of_steps.end());
+    return of_steps[2];
+  };
+  const double soft = mostly("0.1"), stiff = mostly("1");
   EXPECT_LT(soft, 1e-14);
   EXPECT_GT(stiff, 100.0 * soft); // nodes bounce off the tools
 }
