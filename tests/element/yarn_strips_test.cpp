@@ -103,7 +103,7 @@ TEST(YarnStrips, AreBarsOfNineElementsOrMoreWhereTheMeshFollowsTheYarns)
       }
     }
     EXPECT_GE(shortest, static_cast<std::size_t>(YarnStrips::aligned_elements)) << elements;
-    EXPECT_LE(longest, static_cast<std::size_t>(3 * YarnStrips::aligned_elements)) << elements; // on the middle line
+    EXPECT_LT(longest, static_cast<std::size_t>(4 * YarnStrips::aligned_elements)) << elements; // twice two on the middle line
   }
 }
 

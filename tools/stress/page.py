@@ -43,7 +43,7 @@ TAIL = """
   here. A higher penalty or a finer mesh carries them further.
 - **Meshes that cross the yarns** must not keep the scenes' `strip_stiffness = 300`: degrees of shear are lost, and the run now says so. With the
   default, nodes may be a fifth of an edge off. Flat elements cost accuracy and steps; with `time.step` they cost mass.
-- **A sheet that hangs loose** (the tilted blanks, until holder and punch have it) must not keep the scenes' `relaxation_ratio = 0.02`: it
+- **A sheet that hangs loose** (the tilted blanks, until holder and punch have it) must not keep the scenes' `relaxation_ratio = 0.015`: it
   crumples in longer steps, and the energy account is off by some per cent of the little work done on it. The run stops and says so; with the
   default it stands.
 - **Pinched hard**, in a case of its own (a strip drawn out between two plates under 20 N, friction 0.25), friction is within 0.1 % of exact for
