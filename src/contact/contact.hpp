@@ -80,8 +80,8 @@ void start(const Contact& contact, std::size_t nodes, ContactState& c);
 [[nodiscard]] std::optional<double> distance_from_plane(const ContactPlanes& planes, std::size_t node, const Vec3& p);
 
 /// Adds the contact forces at x_n to s.force and sets the tools' reactions. `area` of each node's part of the sheet [m^2]; `moved`
-/// bounds how far a node has moved since the forces were last computed [m]. Whether a node touches more tools than `counted` says,
-/// of each of them or empty.
+/// bounds how far a node has moved since the forces were last computed [m]. Returns whether a node touches more tools than are
+/// `counted` of it (a number a node; empty: never).
 bool contact_forces(std::span<const Contact> contacts, std::span<const Tool> tools, std::span<ToolState> tool_states,
                     std::span<ContactState> states, std::span<const double> area, std::span<const double> counted, State& s,
                     double dt, double moved);
