@@ -18,16 +18,15 @@ without set-up and file output, over elements and steps.
 {arithmetic} ns on this machine. Everything on takes {one} ns on one thread and {two} on two in the first millimetres of the press,
 {press_one} and {press_two} over all of it, and the paper's run {wall} s without bending, {wall_bending} s with it, of which set-up and output
 are {beside} s; the report, not counted here, takes a few tenths more. It takes {steps} steps, where the paper took 12,000. A program before
-this one, with 4,338 shorter steps, took 4.8 to 5.3 s in turn with this one's 3.9 to 4.4: the machine had a slow hour, in a better
-one the former took 3.4 to 3.7. A step costs more than the former's, as sheet and tools move farther in it and strips reach into more
-blocks. Of a step without
+this one, with 3,147 steps, took 2.7 to 3.7 s in turn with this one's 2.6 to 3.4 (medians 2.8 and 2.75: the machine swings by a third). The stable step counts a second tool only
+where one touches, history rows need no steps of their own, and blocks are twice as large, so that strips reach into fewer others. Of a step without
 bending {membrane} % are the membrane, of which vectors do half and gathering, scattering and strips of yarn the rest; {contact} % are contact.
 Bending, held for up to eight steps, is {held} ns of {everything}; computed at every step it is {each_step}. Single precision in the membrane's
 geometry was tried and brought 3 % of it, loads of nodes in rows made it slower, and huge pages brought nothing. On an AMD EPYC (51 Gflop/s
 and 22 GB/s a thread, 10 ns of arithmetic) an earlier program took 35 and 17 ns, and 3.6 s for the paper's run in 6,649 steps.
 
 **Sizes.** The aim is within 20 % of the middle from 5,000 to 1,000,000 elements: it is {spread_one} % on one thread, {spread_two} % on two. Steps
-fall with the edge alone: 20.8 us of 21,672 elements, 3.0 of 999,600, without bending; the program before took 14.5 and 1.7. What
+fall with the edge alone: 22.0 us of 21,672 elements, 3.2 of 999,600, without bending. What
 elements of one shape are made of they share, so that the membrane costs a fine mesh hardly more than one that lies in the cache; what does
 cost more there is bending, whose waves are so fast that its forces can hardly be held. Nodes of a regular mesh bend side by side, in vectors.
 
