@@ -18,8 +18,9 @@ without set-up and file output, over elements and steps.
 {arithmetic} ns on this machine. Everything on takes {one} ns on one thread and {two} on two in the first millimetres of the press,
 {press_one} and {press_two} over all of it, and the paper's run {wall} s without bending, {wall_bending} s with it, of which set-up and output
 are {beside} s; the report, not counted here, takes a few tenths more. It takes {steps} steps, where the paper took 12,000. A program before
-this one, with 3,147 steps, took 2.7 to 3.7 s in turn with this one's 2.6 to 3.4 (medians 2.8 and 2.75: the machine swings by a third). The stable step counts a second tool only
-where one touches, history rows need no steps of their own, and blocks are twice as large, so that strips reach into fewer others. Of a step without
+this one, with 3,147 steps, took 2.7 to 3.7 s in turn with this one's 2.6 to 3.4 (medians 2.8 and 2.75: the machine swings by
+a third). The stable step counts a second tool only where one touches, history rows need no steps of their own, and blocks are
+twice as large, so that strips reach into fewer others. Of a step without
 bending {membrane} % are the membrane, of which vectors do half and gathering, scattering and strips of yarn the rest; {contact} % are contact.
 Bending, held for up to eight steps, is {held} ns of {everything}; computed at every step it is {each_step}. Single precision in the membrane's
 geometry was tried and brought 3 % of it, loads of nodes in rows made it slower, and huge pages brought nothing. On an AMD EPYC (51 Gflop/s
