@@ -140,7 +140,7 @@ private:
       if (stride.arrives) return true;
       KnownStep& known = run_.known;
       if (known.at < 0 || s.sheet.step - known.at >= steps_between_looks || s.touched.more) {
-        const PresentStep present = look_at_step(model_, bound_, s, run_.look);
+        const StableStep present = look_at_step(model_, bound_, s, run_.look);
         known = {present.step, s.sheet.step};
         limiting_ = present.element;
       }

@@ -34,7 +34,8 @@ void count_tools(const Model& model, System& s)
   for (double& tools : counted) tools = std::max(tools, 1.0);
   if (touched.rings > most)
     counted.assign(counted.size(), *std::max_element(counted.begin(), counted.end()));
-  for (int ring = 0; ring < touched.rings && touched.rings <= most; ++ring) spread(model.membrane.triangles, counted);
+  else
+    for (int ring = 0; ring < touched.rings; ++ring) spread(model.membrane.triangles, counted);
 }
 
 StepLook measured(const Model& model, const System& s, double bound, double near)
@@ -45,7 +46,7 @@ StepLook measured(const Model& model, const System& s, double bound, double near
 
 } // namespace
 
-PresentStep look_at_step(const Model& model, const StepBound& bound, System& s, StepLook& last)
+StableStep look_at_step(const Model& model, const StepBound& bound, System& s, StepLook& last)
 {
   constexpr double moved = 0.015, a_little_less = 0.98;
   const StableStep stable = bound.at(s.sheet);
